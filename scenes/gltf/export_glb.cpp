@@ -79,7 +79,7 @@ void addInstances(GlbDraft& draft, const Scene& scene, const std::vector<int>& m
     tinygltf::Node node;
     node.name = base::cleanUtf8(instance.node);
     node.mesh = meshPlaces[instance.mesh];
-    for (int i = 0; i < 16; ++i) node.matrix.push_back(instance.toWorld[i / 4][i % 4]);
+    node.matrix = gltfMatrix(instance.toWorld);
     draft.addNode(std::move(node));
   }
 }

@@ -47,8 +47,7 @@ tinygltf::Node nodeOf(const Light& light) {
   const glm::dvec3 back = -glm::normalize(glm::dvec3(light.direction)); // a light shines along its node's -Z
   const glm::dvec3 up = glm::normalize(glm::cross(back, glm::dvec3(perpendicularTo(glm::vec3(back)))));
   const glm::dvec3 right = glm::cross(up, back);
-  for (const glm::dvec4& column : {glm::dvec4(right, 0), glm::dvec4(up, 0), glm::dvec4(back, 0), glm::dvec4(at, 1)})
-    for (int row = 0; row < 4; ++row) node.matrix.push_back(column[row]);
+  node.matrix = gltfMatrix({glm::dvec4(right, 0), glm::dvec4(up, 0), glm::dvec4(back, 0), glm::dvec4(at, 1)});
   return node;
 }
 
@@ -83,7 +82,7 @@ void addCameras(GlbDraft& draft, const Scene& scene) {
     tinygltf::Node node;
     node.name = base::cleanUtf8(camera.name);
     node.camera = static_cast<int>(draft.model.cameras.size());
-    for (int n = 0; n < 16; ++n) node.matrix.push_back(camera.toWorld[n / 4][n % 4]);
+    node.matrix = gltfMatrix(camera.toWorld);
     draft.model.cameras.push_back(describe(camera));
     draft.addNode(std::move(node));
   }

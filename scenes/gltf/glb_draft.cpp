@@ -61,6 +61,13 @@ tinygltf::Value gltfArray(std::span<const double> numbers) {
   return tinygltf::Value(std::move(values));
 }
 
+std::vector<double> gltfMatrix(const glm::dmat4& matrix) {
+  std::vector<double> numbers;
+  if (matrix == glm::dmat4(1.0)) return numbers;
+  for (int i = 0; i < 16; ++i) numbers.push_back(matrix[i / 4][i % 4]);
+  return numbers;
+}
+
 // The container (glTF 2.0, 4.4): a header of 12 bytes, then chunks with headers of 8, padded to multiples of 4.
 std::vector<std::byte> packGlb(GlbDraft& draft) {
   std::string json = writeJson(draft);

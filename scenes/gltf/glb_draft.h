@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/glm.hpp>
 #include <tiny_gltf.h>
 
 #include "base/error.h"
@@ -37,5 +38,8 @@ std::vector<std::byte> packGlb(GlbDraft& draft);
 // {"a": ..., "b": ...} and [1, 2] of an extension.
 inline tinygltf::Value gltfObject(tinygltf::Value::Object members = {}) { return tinygltf::Value(std::move(members)); }
 tinygltf::Value gltfArray(std::span<const double> numbers);
+
+// A node's matrix, columns first; empty for the identity, which is the default.
+std::vector<double> gltfMatrix(const glm::dmat4& matrix);
 
 } // namespace parity::scenes
