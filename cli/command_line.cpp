@@ -17,6 +17,7 @@
 #include "cli/options/command_help.h"
 #include "cli/options/common_options.h"
 #include "cli/options/contract_options.h"
+#include "cli/options/export_options.h"
 #include "cli/options/fit_options.h"
 #include "cli/options/flip_options.h"
 #include "cli/options/guide_options.h"
@@ -51,7 +52,7 @@ void addVerbose(CLI::App& app, bool& verbose) {
 
 // Groups of knobs of what compares.
 const std::vector<std::string> kCompared = {"Scene", "Picture", "Paths", "Truth", "Verdict"};
-// What `info` does not show of a scene.
+// What `info` and `export` do not read of a scene.
 const std::vector<std::string> kNotRead = {"env",
                                            "env-rotation",
                                            "sun-extraction",
@@ -255,6 +256,12 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       ->group(kOutputGroup);
   addKnobs(infoApp, info.common, raw, {"Scene"}, kNotRead);
 
+  ExportCommand exported;
+  CLI::App& exportApp =
+      *app.add_subcommand("export", "Write a scene, also a built-in one, as one binary glTF file (.glb)");
+  addExportOptions(exportApp, exported);
+  addKnobs(exportApp, exported.common, raw, {"Scene"}, kNotRead);
+
   const CLI::App& knobsApp = *app.add_subcommand(
       "knobs", "Print every setting: its option, its key in a suite file, its values and its default");
 
@@ -357,6 +364,9 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
     } else if (infoApp.parsed()) {
       settle(infoApp, info.common, raw);
       parsed.command = info;
+    } else if (exportApp.parsed()) {
+      settle(exportApp, exported.common, raw);
+      parsed.command = exported;
     } else if (knobsApp.parsed()) {
       parsed.command = KnobsCommand();
     } else if (cacheApp.parsed()) {

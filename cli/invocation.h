@@ -205,6 +205,11 @@ struct InfoCommand {
   std::string scene;
 };
 
+struct ExportCommand {
+  CommonOptions common; // of it what is loaded
+  std::string scene, output;
+};
+
 struct DevicesCommand {
   gpu::DeviceOptions device;
   std::string json;
@@ -295,8 +300,9 @@ using HistoryCommand = std::variant<HistoryAddCommand, HistoryRebuildCommand, Hi
 using Invocation =
     std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,
                  FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand,
-                 StressCommand, BakeCommand, DevicesCommand, InfoCommand, CacheCommand, SuiteListCommand, PlotCommand,
-                 KnobsCommand, VersionCommand, GuideCommand, HistoryCommand, ContractCommand, CalibrateCommand>;
+                 StressCommand, BakeCommand, DevicesCommand, InfoCommand, ExportCommand, CacheCommand, SuiteListCommand,
+                 PlotCommand, KnobsCommand, VersionCommand, GuideCommand, HistoryCommand, ContractCommand,
+                 CalibrateCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
@@ -334,6 +340,7 @@ int runStressCommand(const StressCommand& command);
 int runBakeCommand(const BakeCommand& command);
 int runDevicesCommand(const DevicesCommand& command);
 int runInfoCommand(const InfoCommand& command);
+int runExportCommand(const ExportCommand& command);
 int runCacheCommand(const CacheCommand& command);
 int runSuiteListCommand(const SuiteListCommand& command);
 int runHistoryCommand(const HistoryCommand& command);

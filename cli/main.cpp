@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
                                [](const BakeCommand& c) { return runBakeCommand(c); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); },
                                [](const InfoCommand& c) { return runInfoCommand(c); },
+                               [](const ExportCommand& c) { return runExportCommand(c); },
                                [](const CacheCommand& c) { return runCacheCommand(c); },
                                [](const SuiteListCommand& c) { return runSuiteListCommand(c); },
                                [](const PlotCommand& c) { return runPlotCommand(c); },

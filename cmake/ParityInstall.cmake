@@ -23,16 +23,17 @@ install(FILES scenes/data/nightly.example.toml DESTINATION ${data}/suites RENAME
 install(FILES compare/verdict/budgets.example.toml DESTINATION ${data})
 install(FILES report/report.schema.json DESTINATION ${data})
 
-# What other machines' schedulers run; the GitHub Action comes from the repository.
-install(DIRECTORY integrations/slurm integrations/kubernetes integrations/gitlab DESTINATION ${data}/integrations
-  USE_SOURCE_PERMISSIONS PATTERN README.md EXCLUDE)
+# What other machines' schedulers run, and adapters of other engines; the GitHub Action comes from the repository.
+install(DIRECTORY integrations/slurm integrations/kubernetes integrations/gitlab integrations/threejs integrations/blender
+  DESTINATION ${data}/integrations USE_SOURCE_PERMISSIONS PATTERN README.md EXCLUDE PATTERN node_modules EXCLUDE)
 install(FILES integrations/github/nightly.yml DESTINATION ${data}/integrations/github)
 
 # The documents keep their places to one another, so that their links hold.
 install(FILES README.md CONTRIBUTING.md CHANGELOG.md Containerfile DESTINATION ${documents})
 install(DIRECTORY docs DESTINATION ${documents} FILES_MATCHING PATTERN *.md PATTERN *.png PATTERN *.svg)
 install(FILES scenes/README.md DESTINATION ${documents}/scenes)
-install(DIRECTORY integrations DESTINATION ${documents} FILES_MATCHING PATTERN README.md PATTERN github/install EXCLUDE)
+install(DIRECTORY integrations DESTINATION ${documents} FILES_MATCHING PATTERN README.md PATTERN github/install EXCLUDE
+  PATTERN node_modules EXCLUDE)
 install(FILES compare/verdict/budgets.example.toml DESTINATION ${documents}/compare/verdict)
 
 # The licence and those of what is inside our files: static libraries, headers, letters, packages of the page.

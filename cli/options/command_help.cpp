@@ -191,6 +191,12 @@ const std::vector<CommandHelp>& table() {
        {{"parity devices --device nvidia", "which one this name selects"}},
        {kDone, {4, "no device can be used"}, kUsage}},
       {"info", "", {{"parity info scene.glb", "materials, lights, cameras"}}, {kDone, kFailed, kUsage}},
+      {"export",
+       "Environment maps are not part of glTF: the command says which one the file lacks. What else of a scene glTF "
+       "cannot\nsay is a warning.",
+       {{"parity export builtin:materials -o materials.glb", "a built-in scene for another engine"},
+        {"parity export walk.gltf --time 1.5 -o pose.glb", "an animation's pose at 1.5 s"}},
+       {kDone, kFailed, kUsage}},
       {"knobs", "", {{"parity knobs | less", "all settings"}}, {kDone, kUsage}},
       {"cache", "", {}, {kDone, kFailed, kUsage}},
       {"cache info", "", {{"parity cache info", "what it holds"}}, {kDone, kFailed, kUsage}},

@@ -1,6 +1,7 @@
 // Texture slots of a glTF file: sampler, uv set, uv transform.
 #include "scenes/gltf/texture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -98,6 +99,22 @@ std::array<float, 6> uvTransform(glm::dvec2 offset, double rotation, glm::dvec2 
   const double c = std::cos(rotation), s = std::sin(rotation);
   return {static_cast<float>(c * scale.x),  static_cast<float>(s * scale.y), static_cast<float>(offset.x),
           static_cast<float>(-s * scale.x), static_cast<float>(c * scale.y), static_cast<float>(offset.y)};
+}
+
+std::optional<UvTransformParts> splitUvTransform(const std::array<float, 6>& uv) {
+  // Columns (cos, -sin) * scale.x and (sin, cos) * scale.y.
+  const glm::dvec2 first(uv[0], uv[3]), second(uv[1], uv[4]);
+  UvTransformParts parts{.offset = {uv[2], uv[5]}, .scale = {first.x, second.y}, .rotation = 0};
+  if (first.y == 0 && second.x == 0) return parts; // exactly; mirrored by a negative scale
+  parts.rotation = first != glm::dvec2(0) ? std::atan2(-first.y, first.x) : std::atan2(second.x, second.y);
+  const double c = std::cos(parts.rotation), s = std::sin(parts.rotation);
+  parts.scale = {c * first.x - s * first.y, s * second.x + c * second.y};
+  const std::array<float, 6> again = uvTransform(parts.offset, parts.rotation, parts.scale);
+  constexpr float kRounding = 1e-5f; // of 32 bits
+  const float limit = kRounding * static_cast<float>(std::max(glm::length(first), glm::length(second)));
+  for (std::size_t i = 0; i < uv.size(); ++i)
+    if (!(std::abs(again[i] - uv[i]) <= limit) && i % 3 != 2) return std::nullopt;
+  return parts;
 }
 
 TextureSlot readTextureSlot(const GltfDocument& document, int texture, int texCoord,

@@ -1,6 +1,8 @@
 // Textures of a glTF file: slots with sampler, uv set and uv transform.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,5 +23,13 @@ TextureSlot readTextureSlot(const GltfDocument& document, const tinygltf::Value&
 // (radians, v down), that is (u, v) -> (cos u + sin v, cos v - sin u). The GLSL in the extension's text has the other
 // sign; the Khronos asset TextureTransformTest and every viewer settle it. Row-major 2x3.
 std::array<float, 6> uvTransform(glm::dvec2 offset, double rotation, glm::dvec2 scale);
+
+// What KHR_texture_transform says: uvTransform() makes the matrix of it again.
+struct UvTransformParts {
+  glm::dvec2 offset{0.0}, scale{1.0};
+  double rotation = 0; // radians
+};
+// Nothing for a matrix that is not one of a rotation after a scale: its columns are not at right angles.
+std::optional<UvTransformParts> splitUvTransform(const std::array<float, 6>& uvTransform);
 
 } // namespace parity::scenes

@@ -106,10 +106,9 @@ Words wordsOf(std::string_view line) {
 
 TEST(CommandLine, ExamplesOfTheHelpAreTaken) {
   int tried = 0;
-  for (const char* command :
-       {"",           "report", "diff", "render",  "flip", "budget suggest", "budget check", "fit",         "plot",
-        "bench",      "stress", "bake", "devices", "info", "knobs",          "cache info",   "cache clear", "help",
-        "completion", "man"})
+  for (const char* command : {"",       "report", "diff",       "render",      "flip", "budget suggest", "budget check",
+                              "fit",    "plot",   "bench",      "stress",      "bake", "devices",        "info",
+                              "export", "knobs",  "cache info", "cache clear", "help", "completion",     "man"})
     for (const cli::Example& example : cli::helpOf(command).examples) {
       Words words = wordsOf(example.line);
       if (words.front() != "parity") continue; // of a shell

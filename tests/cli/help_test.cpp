@@ -144,7 +144,8 @@ TEST(Help, IsTheSameByTheCommandHelp) {
 }
 
 TEST(Help, HasNoGroupOfManyOptionsAndOnlyTheExitCodesOfTheCommand) {
-  for (const char* command : {"report", "diff", "render", "flip", "bench", "bake", "stress", "fit", "plot", "info"}) {
+  for (const char* command :
+       {"report", "diff", "render", "flip", "bench", "bake", "stress", "fit", "plot", "info", "export"}) {
     const std::string help = runParity({command, "--help"}).out;
     EXPECT_FALSE(contains(help, "\nOptions:")) << command << ": options without a heading";
     EXPECT_TRUE(contains(help, "\nExamples:\n  parity " + std::string(command))) << help;

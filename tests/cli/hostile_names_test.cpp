@@ -159,6 +159,7 @@ TEST_F(HostileNamesTest, OfFilesAreTextInMessages) {
                                                       {"render", given, "--path", "mobile", "-o", "out.png"},
                                                       {"report", given, "-o", "out"},
                                                       {"bake", given, "-o", "baked"},
+                                                      {"export", given, "-o", "out.glb"},
                                                       {"flip", given, given},
                                                       {"budget", "check", given},
                                                       {"cache", "info", "--cache", given}}) {

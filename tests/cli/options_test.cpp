@@ -176,6 +176,7 @@ TEST(Options, OfEveryCommandAreUsedByATest) {
                                                   {"bake"},
                                                   {"bench"},
                                                   {"info"},
+                                                  {"export"},
                                                   {"budget", "suggest"},
                                                   {"budget", "check"},
                                                   {"cache"},
