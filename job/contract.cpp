@@ -18,6 +18,7 @@
 #include "job/scene/material_ids.h"
 #include "job/scene/scene_renderer.h"
 #include "scenes/gltf/export_glb.h"
+#include "scenes/light_names.h"
 #include "scenes/names.h"
 
 namespace parity::job {

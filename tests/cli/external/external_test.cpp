@@ -1,0 +1,197 @@
+// Pictures of other engines as paths of a report: what is compared with what, and what is refused.
+#include <fmt/format.h>
+
+#include "base/image/image_io.h"
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+const std::vector<std::string> kSize = {"--size", "128x128", "--validation"};
+
+class ExternalTest : public RenderingTest {
+protected:
+  // Of the scene "Balls", with these externals.
+  std::string suite(const std::string& externals) const {
+    return write("suite.toml", "[[scene]]\nname = \"Balls\"\nfile = \"builtin:materials\"\nenvironment = "
+                               "\"builtin:studio\"\n" +
+                                   externals);
+  }
+  static std::string external(const std::string& name, const std::string& more) {
+    return fmt::format("[[scene.external]]\nname = \"{}\"\n{}\n", name, more);
+  }
+  // The picture that a path of ours makes of that view.
+  void draw(const std::string& by, const std::string& file, const std::vector<std::string>& more = {},
+            const std::string& scene = "builtin:materials") const {
+    ASSERT_TRUE(exitedWith(
+        0,
+        runParity(join({{"render", scene, "--path", by, "--env", "builtin:studio", "-o", path(file)}, kSize, more}))));
+  }
+  RunResult report(const std::string& externals, const std::vector<std::string>& more = {}) const {
+    return runParity(join({{"report", "--suite", suite(externals), "-o", path("out"), "--no-cache"}, kSize, more}));
+  }
+  nlohmann::json views() const { return readReport(m_folder / "out")["scenes"][0]["views"]; }
+  static double flip(const nlohmann::json& row) { return row["figures"]["metrics"]["flip.mean"]; }
+  // The report is there, the scene is an error of the exit code 3 for this reason, and the paths' row was compared.
+  void expectNotComparable(const std::string& externals, const std::string& reason) const {
+    const RunResult run = report(externals);
+    EXPECT_TRUE(exitedWith(3, run));
+    EXPECT_TRUE(contains(run.err, reason)) << run.err;
+    const nlohmann::json scene = readReport(m_folder / "out")["scenes"][0];
+    EXPECT_EQ(scene["error"]["exitCode"], 3);
+    ASSERT_EQ(scene["views"].size(), 1u) << "what was compared is not lost";
+    EXPECT_EQ(scene["views"][0]["test"], "mobile");
+  }
+};
+
+TEST_F(ExternalTest, APictureIsAPathThatIsJudgedByMaterial) {
+  draw("highend", "Balls-auto.png");
+  std::filesystem::rename(path("Balls-auto.png"), path("same.png"));
+  draw("mobile", "mobile.png");
+  const RunResult run = report(external("same", "test = \"same.png\"") + external("theirs", "test = \"mobile.png\""));
+  ASSERT_TRUE(isReported(run));
+  const nlohmann::json rows = views();
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[1]["name"], "auto (same)");
+  EXPECT_EQ(rows[1]["reference"], "highend");
+  EXPECT_EQ(rows[1]["test"], "same");
+  EXPECT_EQ(rows[1]["whole"]["figures"]["metrics"]["flip.mean"], 0);
+  for (const nlohmann::json& material : rows[1]["materials"])
+    if (!material["figures"].is_null()) {
+      EXPECT_EQ(flip(material), 0) << material["name"];
+      EXPECT_EQ(material["verdict"], "pass");
+    }
+  // A picture of the mobile path is what the mobile path is: of materials in full pixels to the last step.
+  EXPECT_EQ(rows[2]["whole"]["figures"]["metrics"]["flip.mean"], rows[0]["whole"]["figures"]["metrics"]["flip.mean"]);
+  for (std::size_t m = 0; m < rows[0]["materials"].size(); ++m) {
+    if (rows[0]["materials"][m]["figures"].is_null()) continue;
+    EXPECT_NEAR(flip(rows[2]["materials"][m]), flip(rows[0]["materials"][m]), 1e-3) << m;
+  }
+}
+
+TEST_F(ExternalTest, TakesThePlaceOfAPathOrOfTheReference) {
+  draw("mobile", "mobile.png");
+  draw("highend", "highend.png");
+  ASSERT_TRUE(isReported(report(external("theirs", "test = \"mobile.png\"\nreplaces = \"mobile\""))));
+  ASSERT_EQ(views().size(), 1u);
+  EXPECT_EQ(views()[0]["name"], "auto");
+  EXPECT_EQ(views()[0]["test"], "theirs");
+  const double first = views()[0]["whole"]["figures"]["metrics"]["flip.mean"];
+  ASSERT_TRUE(isReported(report(external("theirs", "test = \"highend.png\"\nreplaces = \"reference\""))));
+  ASSERT_EQ(views().size(), 1u);
+  EXPECT_EQ(views()[0]["reference"], "theirs");
+  EXPECT_EQ(views()[0]["test"], "mobile");
+  EXPECT_NEAR(views()[0]["whole"]["figures"]["metrics"]["flip.mean"].get<double>(), first, 1e-3);
+}
+
+TEST_F(ExternalTest, TwoEnginesAreHeldAgainstEachOther) {
+  std::filesystem::create_directories(path("desktop"));
+  draw("highend", "desktop/Balls-auto.png");
+  draw("mobile", "phone.png");
+  ASSERT_TRUE(isReported(report(external("phone", "test = \"phone.png\"\nreference = \"desktop\""))));
+  const nlohmann::json rows = views();
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[1]["reference"], "phone reference");
+  EXPECT_EQ(rows[1]["test"], "phone");
+  EXPECT_NEAR(rows[1]["whole"]["figures"]["metrics"]["flip.mean"].get<double>(),
+              rows[0]["whole"]["figures"]["metrics"]["flip.mean"].get<double>(), 1e-3);
+}
+
+TEST_F(ExternalTest, TheFactsOfAPictureAreHeldAgainstTheTruth) {
+  draw("highend", "same.png");
+  ASSERT_TRUE(isReported(report(external("same", "test = \"same.png\""), {"--truth", "--truth-error", "0.1"})));
+  const nlohmann::json truth = views()[1]["whole"]["truth"];
+  ASSERT_FALSE(truth.is_null());
+  EXPECT_EQ(truth["terms"].size(), 0u) << "of a picture no terms are known";
+}
+
+TEST_F(ExternalTest, ASmallShiftIsPutRightAndALargeOneRefused) {
+  draw("highend", "half.exr", {"--samples", "16"});
+  const base::Image whole = base::readImage(path("half.exr"));
+  const auto shifted = [&](const std::string& file, double dx) { // linear between pixels
+    base::Image image = whole;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        for (int c = 0; c < 3; ++c) {
+          const double at = std::clamp(x - dx, 0.0, image.width - 1.0);
+          const int left = static_cast<int>(at), right = std::min(left + 1, image.width - 1);
+          image.at(x, y)[c] =
+              static_cast<float>(whole.at(left, y)[c] + (at - left) * (whole.at(right, y)[c] - whole.at(left, y)[c]));
+        }
+    base::writeImage(path(file), image);
+  };
+  shifted("a.exr", 0.3);
+  const std::string linear = "transfer = \"linear\"\n";
+  const RunResult run = report(external("moved", linear + "test = \"a.exr\""), {"--samples", "16"});
+  ASSERT_TRUE(isReported(run));
+  EXPECT_TRUE(contains(run.err, "the picture of moved lies 0.3")) << run.err;
+  EXPECT_TRUE(contains(run.err, "that is put right")) << run.err;
+  EXPECT_LT(views()[1]["whole"]["figures"]["metrics"]["flip.mean"], 0.03);
+  shifted("b.exr", 1);
+  expectNotComparable(external("moved", linear + "test = \"b.exr\""), "pixels beside the view 'auto'");
+}
+
+TEST_F(ExternalTest, WhatCannotBeComparedIsNoPass) {
+  draw("highend", "other.png", {"--size", "64x64"});
+  expectNotComparable(external("x", "test = \"other.png\""), "is 64 x 64 pixels; the view is 128 x 128");
+  draw("highend", "lamps.png", {}, "builtin:lamps");
+  expectNotComparable(external("x", "test = \"lamps.png\""), "does not show the view 'auto'");
+  draw("highend", "same.exr");
+  expectNotComparable(external("x", "test = \"same.exr\""),
+                      "holds floats, which are linear light; its transfer is 'srgb'");
+  draw("highend", "same.png");
+  const base::Image8 rgb = base::readImage8(path("same.png"), 3);
+  base::Image8 rgba(rgb.width, rgb.height, 4, 128);
+  for (std::size_t i = 0; i < rgb.pixelCount(); ++i) std::copy_n(&rgb.pixels[3 * i], 3, &rgba.pixels[4 * i]);
+  base::writeImage8(path("alpha.png"), rgba);
+  expectNotComparable(external("x", "test = \"alpha.png\""), "pixels of materials are transparent");
+  expectNotComparable(external("x", "test = \"same.png\"\ncalibration = \"same.png\""),
+                      "does not show the calibration scene");
+
+  const RunResult missing = report(external("x", "test = \"none.png\""));
+  EXPECT_TRUE(exitedWith(4, missing));
+  EXPECT_TRUE(contains(missing.err, "none.png")) << missing.err;
+  const std::string whole = readWholeFile(path("same.png"));
+  write("cut.png", whole.substr(0, whole.size() / 2));
+  EXPECT_TRUE(exitedWith(4, report(external("x", "test = \"cut.png\""))));
+
+  base::Image nan = base::readImage(path("same.exr"));
+  std::fill(nan.pixels.begin(), nan.pixels.begin() + static_cast<long>(nan.pixels.size() / 2 + nan.pixels.size() / 4),
+            NAN);
+  base::writeImage(path("nan.exr"), nan);
+  const RunResult run = report(external("x", "transfer = \"linear\"\ntest = \"nan.exr\""));
+  EXPECT_TRUE(run.exitCode == 3 || run.exitCode == 4) << run.exitCode;
+}
+
+TEST_F(ExternalTest, SuitesAreRefusedInWords) {
+  const auto refused = [&](const std::string& externals, const std::string& part) {
+    expectRefused(report(externals), 4, {"suite.toml", part});
+  };
+  refused("[[scene.external]]\ntest = \"a.png\"\n", "name: is missing");
+  refused(external("x", ""), "test: is missing");
+  refused(external("x", "test = \"a.png\"\ntransfer = \"srbg\""), "did you mean 'srgb'");
+  refused(external("x", "test = \"a.png\"\nreplaces = \"moble\""), "did you mean 'mobile'");
+  refused(external("mobile", "test = \"a.png\""), "a path has this name");
+  refused(external("x", "test = \"a.png\"") + external("x", "test = \"b.png\""), "have the name 'x'");
+  refused(external("x", "test = \"a.png\"\ntets = \"b.png\""), "did you mean 'test'");
+}
+
+TEST_F(ExternalTest, AChangedPictureIsComparedAnew) {
+  draw("highend", "shot.png");
+  const std::string externals = external("theirs", "test = \"shot.png\"");
+  const std::vector<std::string> cached = {"report",  "--suite",     suite(externals), "-o",     path("out"),
+                                           "--cache", path("cache"), "--size",         "128x128"};
+  ASSERT_TRUE(isReported(runParity(cached)));
+  EXPECT_EQ(views()[1]["whole"]["figures"]["metrics"]["flip.mean"], 0);
+  const std::string inputs = readReport(m_folder / "out")["scenes"][0]["inputs"]["asset"];
+  ASSERT_TRUE(isReported(runParity(cached)));
+  EXPECT_EQ(nlohmann::json::parse(readWholeFile(m_folder / "out" / "run.json"))["cachedScenes"].size(), 1u);
+  EXPECT_EQ(views().size(), 2u);
+  draw("mobile", "shot.png");
+  ASSERT_TRUE(isReported(runParity(cached)));
+  EXPECT_GT(views()[1]["whole"]["figures"]["metrics"]["flip.mean"], 0.01);
+  EXPECT_NE(readReport(m_folder / "out")["scenes"][0]["inputs"]["asset"], inputs) << "a history names it";
+}
+
+} // namespace
+} // namespace parity::tests
