@@ -282,8 +282,8 @@ std::optional<Calibration::Turn> findTurn(const base::Image& light, const Places
     const RotationFit fit = fitRotation(from, found);
     if (fit.errorDeg >= least) continue;
     least = fit.errorDeg;
-    // As Environment::rotationDeg: from +X towards +Z.
-    const double yaw = std::atan2(fit.rotation[0].z, fit.rotation[0].x) / kDegree;
+    // As Environment::rotationDeg has it: about +Y, from +Z towards +X.
+    const double yaw = std::atan2(-fit.rotation[0].z, fit.rotation[0].x) / kDegree;
     best = {isMirrored, yaw, fit.angleDeg, fit.errorDeg, static_cast<int>(found.size())};
   }
   return best;

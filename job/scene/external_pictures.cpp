@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/log.h"
 #include "external/calibration.h"
 #include "external/picture.h"
 #include "external/registration.h"
@@ -18,8 +19,9 @@ namespace parity::job {
 namespace {
 
 // Pixels of shift that are put right in silence, that warn, and beyond which nothing is compared (half a pixel costs
-// FLIP as much as what tells two paths apart); and how alike the edges must be.
-constexpr double kSilent = 0.02, kTold = 0.1, kMost = 0.5, kLeastLikeness = 0.3;
+// FLIP as much as what tells two paths apart); and how alike the edges must be: those of other engines are above 0.9,
+// those of another scene below 0.45.
+constexpr double kSilent = 0.02, kTold = 0.1, kMost = 0.5, kLeastLikeness = 0.6;
 
 std::string fileName(const std::string& name) {
   std::string file;
@@ -123,6 +125,8 @@ private:
   external::Placement placementOf(const base::Image& light, const Column& column, const std::string& file) const {
     if (!column.external->calibration.empty()) return calibratedPlacement(*column.external);
     const external::Shift shift = external::findShift(edges(light), edges(m_first));
+    base::logDetail(fmt::format("{}: its edges lie {:+.3f} pixels to the right, {:+.3f} down; likeness {:.3f}", file,
+                                shift.dx, shift.dy, shift.likeness));
     requireLike(shift.likeness, file);
     return {.dx = shift.dx, .dy = shift.dy};
   }
