@@ -25,7 +25,8 @@ install(FILES report/report.schema.json DESTINATION ${data})
 
 # What other machines' schedulers run, and adapters of other engines; the GitHub Action comes from the repository.
 install(DIRECTORY integrations/slurm integrations/kubernetes integrations/gitlab integrations/threejs integrations/blender
-  DESTINATION ${data}/integrations USE_SOURCE_PERMISSIONS PATTERN README.md EXCLUDE PATTERN node_modules EXCLUDE)
+  DESTINATION ${data}/integrations USE_SOURCE_PERMISSIONS PATTERN README.md EXCLUDE PATTERN node_modules EXCLUDE
+  PATTERN .gitignore EXCLUDE)
 install(FILES integrations/github/nightly.yml DESTINATION ${data}/integrations/github)
 
 # The documents keep their places to one another, so that their links hold.

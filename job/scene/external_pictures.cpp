@@ -12,6 +12,7 @@
 #include "external/calibration.h"
 #include "external/picture.h"
 #include "external/registration.h"
+#include "job/view/material_swaps.h"
 #include "scenes/names.h"
 
 namespace parity::job {
@@ -205,6 +206,9 @@ void addExternalPictures(const SceneRequest& request, std::size_t view, ViewFram
     const std::string file = pictureFileOf(column.file, request.name, request.views[view].name);
     PathFrames& picture = pictures.emplace_back();
     picture.frame.color = reader.read(column, file);
+    if (!frames.truth.color.empty())
+      for (const base::PixelList& list : frames.coverage)
+        picture.truthSwap.push_back(mixByCoverage(list, frames.truth.color, picture.frame.color));
     sources.push_back({file, base::hashOfFile(file)});
     if (const std::string& calibration = column.external->calibration; !calibration.empty())
       sources.push_back({calibration, base::hashOfFile(calibration)});

@@ -145,7 +145,7 @@ TEST(Help, IsTheSameByTheCommandHelp) {
 
 TEST(Help, HasNoGroupOfManyOptionsAndOnlyTheExitCodesOfTheCommand) {
   for (const char* command :
-       {"report", "diff", "render", "flip", "bench", "bake", "stress", "fit", "plot", "info", "export"}) {
+       {"report", "diff", "render", "flip", "bench", "bake", "stress", "fit", "plot", "info", "export", "contract"}) {
     const std::string help = runParity({command, "--help"}).out;
     EXPECT_FALSE(contains(help, "\nOptions:")) << command << ": options without a heading";
     EXPECT_TRUE(contains(help, "\nExamples:\n  parity " + std::string(command))) << help;

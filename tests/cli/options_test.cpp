@@ -177,6 +177,8 @@ TEST(Options, OfEveryCommandAreUsedByATest) {
                                                   {"bench"},
                                                   {"info"},
                                                   {"export"},
+                                                  {"contract"},
+                                                  {"calibrate"},
                                                   {"budget", "suggest"},
                                                   {"budget", "check"},
                                                   {"cache"},
