@@ -48,10 +48,12 @@ std::string paragraphs(std::string_view text) {
 
 // A list of choices may be longer than a line.
 std::string breakable(const std::string& value) {
+  constexpr std::size_t kLine = 78;
+  const bool isLong = value.size() > 2 * kLine; // without blanks groff cannot adjust its lines
   std::string text;
   for (const char c : value) {
     text += c;
-    if (c == ',') text += "\\:";
+    if (c == ',') text += isLong ? " " : "\\:";
   }
   return text;
 }

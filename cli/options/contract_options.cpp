@@ -17,7 +17,7 @@ void addContractOptions(CLI::App& app, ContractCommand& contract, RawOptions& ra
       ->type_name(kFolder)
       ->group(kOutputGroup)
       ->required();
-  addKnobs(app, contract.common, raw, {"Scene", "Picture"});
+  addKnobs(app, contract.common, raw, {"Scene", "Picture"}, {"baked"});
   addViewKnobs(app, raw);
   addRunOptions(app, contract.common, raw);
 }

@@ -14,8 +14,9 @@ namespace {
 class ContractTest : public RenderingTest {
 protected:
   void makeContract() const {
-    ASSERT_TRUE(exitedWith(0, runParity({"contract", "builtin:materials", "--env", "builtin:sky", "--env-rotation",
-                                         "40", "-o", path("contract"), "--size", "96x64", "--validation"})));
+    ASSERT_TRUE(
+        exitedWith(0, runParity({"contract", "builtin:materials", "--env", "builtin:sky", "--env-rotation", "40", "-o",
+                                 path("contract"), "--size", "96x64", "--max-image", "4096,64", "--validation"})));
   }
   nlohmann::json contract() const {
     return nlohmann::json::parse(readWholeFile(m_folder / "contract" / "contract.json"));
@@ -38,7 +39,7 @@ protected:
         values.pixels[3 * i + k] = static_cast<std::uint8_t>(std::clamp(value[k], 0.0, 1.0) * 255 + 0.5);
     }
     base::writeImage8(path("calibration.png"), values);
-    const RunResult run = runParity({"calibrate", path("")});
+    const RunResult run = runParity({"calibrate", path(""), "--verbose"});
     EXPECT_TRUE(exitedWith(0, run));
     return linesOf(run.out).empty() ? std::vector<std::string>(4) : linesOf(run.out);
   }
