@@ -8,7 +8,7 @@
 namespace parity::job {
 namespace {
 
-const PathChoice kPaths = pathsOf({});
+const std::vector<Column> kColumns = {{"highend", nullptr, {}}, {"mobile", nullptr, {}}};
 
 ViewFrames makeFrames() {
   ViewFrames frames;
@@ -32,7 +32,7 @@ std::vector<std::string> namesOf(const std::vector<report::PixelPlane>& planes) 
 TEST(ViewPlanes, AreBothPathsFlipAndMaterials) {
   ViewFrames frames = makeFrames();
   const base::Image flip(3, 2, 1, 0.1f);
-  const ViewPlanes planes = planesOf(frames, kPaths, 1, flip, kMaterialFlip, {0, 1, 2});
+  const ViewPlanes planes = planesOf(frames, kColumns, 0, 1, flip, kMaterialFlip, {0, 1, 2});
   EXPECT_EQ(namesOf(planes.color), (std::vector<std::string>{"highend", "mobile", "flip", "materialFlip", "material"}));
   EXPECT_EQ(planes.color[0].values, &frames.paths[0].frame.color);
   EXPECT_EQ(planes.color[1].values, &frames.paths[1].frame.color);
@@ -42,7 +42,7 @@ TEST(ViewPlanes, AreBothPathsFlipAndMaterials) {
   EXPECT_EQ(planes.color[4].kind, report::PlaneKind::uint16);
   EXPECT_TRUE(planes.terms.empty());
   frames.truth.color = base::Image(3, 2, 3, 1.f);
-  EXPECT_EQ(namesOf(planesOf(frames, kPaths, 1, flip, {kMaterialFlip[0]}, {0}).color),
+  EXPECT_EQ(namesOf(planesOf(frames, kColumns, 0, 1, flip, {kMaterialFlip[0]}, {0}).color),
             (std::vector<std::string>{"highend", "mobile", "truth", "flip", "materialFlip", "material"}));
 }
 
@@ -53,7 +53,7 @@ TEST(ViewPlanes, APixelIsOfTheMaterialThatCoversMostOfItAndHasThatOnesFlip) {
                                 const std::vector<float>& ownFlip, const char* what) {
     std::vector<std::vector<float>> materialFlip;
     for (const std::size_t m : chosen) materialFlip.push_back(kMaterialFlip[m]);
-    const ViewPlanes planes = planesOf(frames, kPaths, 1, flip, materialFlip, chosen);
+    const ViewPlanes planes = planesOf(frames, kColumns, 0, 1, flip, materialFlip, chosen);
     ASSERT_EQ(planes.color.size(), 5u) << what;
     EXPECT_EQ(planes.color[3].values->pixels, ownFlip) << what;
     EXPECT_EQ(planes.color[4].values->pixels, numbers) << what;
@@ -65,13 +65,13 @@ TEST(ViewPlanes, APixelIsOfTheMaterialThatCoversMostOfItAndHasThatOnesFlip) {
 
 TEST(ViewPlanes, TermsThatAreBlackInBothAreLeftOut) {
   ViewFrames frames = makeFrames();
-  EXPECT_TRUE(termPlanesOf(frames, kPaths, 1).empty());
+  EXPECT_TRUE(termPlanesOf(frames, kColumns, 1).empty());
   for (PathFrames& path : frames.paths) path.frame.terms.assign(shading::kTermCount, base::Image(3, 2, 3));
-  EXPECT_TRUE(termPlanesOf(frames, kPaths, 1).empty());
+  EXPECT_TRUE(termPlanesOf(frames, kColumns, 1).empty());
   frames.paths[0].frame.terms[1].pixels[17] = 1e-6f;
   frames.paths[1].frame.terms[6].pixels[0] = std::nanf("");
   const std::string first(shading::kTermNames[1]), second(shading::kTermNames[6]);
-  const std::vector<report::PixelPlane> planes = termPlanesOf(frames, kPaths, 1);
+  const std::vector<report::PixelPlane> planes = termPlanesOf(frames, kColumns, 1);
   EXPECT_EQ(namesOf(planes),
             (std::vector<std::string>{"highend." + first, "mobile." + first, "highend." + second, "mobile." + second}));
   EXPECT_EQ(planes[3].values, &frames.paths[1].frame.terms[6]);
