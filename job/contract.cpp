@@ -97,7 +97,7 @@ struct Shot {
   int width = 0, height = 0, samples = 1;
   glm::vec3 background{0.f};
   float exposureEv = 0;
-  std::string ids, highend; // relative to the contract; empty: none
+  std::string ids, linear; // relative to the contract; empty: none
 };
 
 void writeView(base::JsonWriter& json, const Shot& shot, const scenes::Camera& camera) {
@@ -112,7 +112,7 @@ void writeView(base::JsonWriter& json, const Shot& shot, const scenes::Camera& c
   json.key("transfer").text("srgb");
   writeCamera(json.key("camera"), camera, static_cast<float>(shot.width) / static_cast<float>(shot.height));
   if (!shot.ids.empty()) json.key("ids").text(shot.ids);
-  if (!shot.highend.empty()) json.key("highend").text(shot.highend);
+  if (!shot.linear.empty()) json.key("linear").text(shot.linear);
   json.endObject();
 }
 
@@ -157,14 +157,10 @@ public:
     writeLights(json.key("lights"), {});
     json.key("views").beginArray();
     constexpr int kSize = external::kCalibrationSize;
-    writeView(json,
-              {.name = "calibration",
-               .picture = "calibration.png",
-               .width = kSize,
-               .height = kSize,
-               .ids = {},
-               .highend = {}},
-              external::calibrationCamera());
+    writeView(
+        json,
+        {.name = "calibration", .picture = "calibration.png", .width = kSize, .height = kSize, .ids = {}, .linear = {}},
+        external::calibrationCamera());
     json.endArray();
     json.endObject();
   }
@@ -203,7 +199,7 @@ private:
       const ViewFrames frames = renderer.render(camera);
       const std::string prefix = fmt::format("{}/{}", own, v);
       writeMaterialIds(m_folder / (prefix + "-ids.exr"), frames.coverage, settings.width, settings.height);
-      base::writeImage(m_folder / (prefix + "-highend.exr"), frames.first().frame.color);
+      base::writeImage(m_folder / (prefix + "-linear.exr"), frames.first().frame.color);
       writeView(json,
                 {.name = name,
                  .picture = pictureFileOf("{scene}-{view}.png", request.name, name),
@@ -213,7 +209,7 @@ private:
                  .background = settings.background,
                  .exposureEv = settings.exposureEv,
                  .ids = prefix + "-ids.exr",
-                 .highend = prefix + "-highend.exr"},
+                 .linear = prefix + "-linear.exr"},
                 camera);
     }
     json.endArray();

@@ -13,9 +13,9 @@ namespace parity::job {
 inline constexpr int kContractFormat = 1;
 inline constexpr const char* kContractFile = "contract.json";
 
-// Writes contract.json; of each scene a folder with its environment, and of each view ids.exr and highend.exr; built-in
-// scenes as .glb; calibration.glb and calibration.hdr. Throws Error (exit 4) where a scene cannot be read or a file not
-// be written, and what prepareScene throws.
+// Writes contract.json; of each scene a folder with its environment, and of each view its ids and the first path's
+// picture, linear; built-in scenes as .glb; calibration.glb and calibration.hdr. Throws Error (exit 4) where a scene
+// cannot be read or a file not be written, and what prepareScene throws.
 void writeContract(Context& context, const std::vector<SceneRequest>& scenes, const std::filesystem::path& folder,
                    const Progress& progress);
 

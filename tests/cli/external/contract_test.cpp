@@ -53,7 +53,7 @@ TEST_F(ContractTest, HoldsWhatAnEngineNeeds) {
   const nlohmann::json& scene = json["scenes"][0];
   for (const std::string& file : {scene["scene"].get<std::string>(), scene["environment"]["file"].get<std::string>(),
                                   scene["views"][0]["ids"].get<std::string>(),
-                                  scene["views"][0]["highend"].get<std::string>(), std::string("calibration.glb")})
+                                  scene["views"][0]["linear"].get<std::string>(), std::string("calibration.glb")})
     EXPECT_TRUE(std::filesystem::exists(m_folder / "contract" / file)) << file;
   EXPECT_EQ(scene["lights"].size(), 1u) << "the sky's sun";
   EXPECT_EQ(scene["views"][0]["width"], 96);
@@ -77,7 +77,7 @@ TEST_F(ContractTest, TheSameViewRenderedFromItIsTheSamePicture) {
       render(path("contract/" + scene["scene"].get<std::string>()), "highend",
              {"--env", path("contract/" + scene["environment"]["file"].get<std::string>()), "--no-sun-extraction",
               "--camera", "default", "--sun", fmt::format("{},{},{}", azimuth, elevation, lux), "--size", "96x64"});
-  const base::Image before = base::readImage(m_folder / "contract" / scene["views"][0]["highend"]);
+  const base::Image before = base::readImage(m_folder / "contract" / scene["views"][0]["linear"]);
   double difference = 0, sum = 0;
   for (std::size_t i = 0; i < before.pixels.size(); ++i)
     difference += std::abs(again.pixels[i] - before.pixels[i]), sum += before.pixels[i];
