@@ -297,12 +297,11 @@ struct HistoryPageCommand {
 using HistoryCommand = std::variant<HistoryAddCommand, HistoryRebuildCommand, HistoryShowCommand, HistoryBlameCommand,
                                     HistoryStepCommand, HistoryGcCommand, HistoryBaselineCommand, HistoryPageCommand>;
 
-using Invocation =
-    std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,
-                 FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand,
-                 StressCommand, BakeCommand, DevicesCommand, InfoCommand, ExportCommand, CacheCommand, SuiteListCommand,
-                 PlotCommand, KnobsCommand, VersionCommand, GuideCommand, HistoryCommand, ContractCommand,
-                 CalibrateCommand>;
+using Invocation = std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand,
+                                ListTermsCommand, FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand,
+                                FitCommand, BenchCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand,
+                                ExportCommand, CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand,
+                                VersionCommand, GuideCommand, HistoryCommand, ContractCommand, CalibrateCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
