@@ -122,7 +122,7 @@ const std::vector<CommandHelp>& table() {
        {kDone, kFailed, kUsage}},
       {"contract",
        "contract.json holds matrices, light and what the pictures must be like; beside it lie environments, built-in\n"
-       "scenes as .glb, the high-end path's pictures and which pixel shows which material.",
+       "scenes as .glb, our own pictures and which pixel shows which material.",
        {{"parity contract scene.glb --env studio.hdr -o contract", "for an adapter, such as integrations/threejs"}},
        {kDone, kFailed, kUsage}},
       {"calibrate",
