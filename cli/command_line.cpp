@@ -103,7 +103,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
   DiffCommand diff;
   CLI::App& reportApp =
       *app.add_subcommand("report", "Compare scenes and write a report: index.html, report.json, junit.xml, images");
-  addSceneList(reportApp, report);
+  addSceneList(reportApp, report.scenes, report.suite, report.common);
   report.folder = kDefaultReportFolder;
   reportApp.add_option("-o,--output", report.folder, "Folder for the report")
       ->type_name(kFolder)
@@ -137,7 +137,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
 
   CLI::App& planApp =
       *app.add_subcommand("plan", "Freeze a report over many machines: its scenes, settings and shards");
-  addSceneList(planApp, plan.report);
+  addSceneList(planApp, plan.report.scenes, plan.report.suite, plan.report.common);
   addPlanOptions(planApp, plan);
   addPageOptions(planApp, plan.report, raw);
   addSentinelOption(planApp, plan.report);

@@ -76,10 +76,10 @@ std::vector<Condition> sceneConditions(const Settings& run, const SceneRequest& 
       {"file", request.scene, ActsOn::nothing}, // its content is looked at when it is known which files are read
       {"places of captures", placesText(request.captures), ActsOn::nothing}}; // `parity bake` alone reads them
   for (const scenes::ExternalPictures& each : request.externals) // their pictures' content, too, is looked at then
-    conditions.push_back({"pictures of " + each.name,
-                          fmt::format("{}\n{}\n{}\n{}\n{}", each.test, each.reference, each.transfer, each.replaces,
-                                      each.calibration),
-                          ActsOn::nothing});
+    conditions.push_back(
+        {"pictures of " + each.name,
+         fmt::format("{}\n{}\n{}\n{}\n{}", each.test, each.reference, each.transfer, each.replaces, each.calibration),
+         ActsOn::nothing});
   const std::vector<Condition> own = allConditions(request.settings, device, true);
   conditions.insert(conditions.end(), own.begin(), own.end());
   const std::vector<Condition> ofRun = runConditions(run, device);

@@ -1,5 +1,6 @@
 #include "job/contract.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -146,6 +147,7 @@ public:
     json.endObject();
   }
 
+  // With as many samples as the scenes' pictures, so that it shows the same filter.
   void writeCalibration(base::JsonWriter& json) const {
     const std::vector<std::byte> glb = scenes::toGlb(external::calibrationScene());
     base::writeBytes(m_folder / "calibration.glb", glb);
@@ -157,10 +159,15 @@ public:
     writeLights(json.key("lights"), {});
     json.key("views").beginArray();
     constexpr int kSize = external::kCalibrationSize;
-    writeView(
-        json,
-        {.name = "calibration", .picture = "calibration.png", .width = kSize, .height = kSize, .ids = {}, .linear = {}},
-        external::calibrationCamera());
+    writeView(json,
+              {.name = "calibration",
+               .picture = "calibration.png",
+               .width = kSize,
+               .height = kSize,
+               .samples = m_samples,
+               .ids = {},
+               .linear = {}},
+              external::calibrationCamera());
     json.endArray();
     json.endObject();
   }
@@ -189,6 +196,7 @@ private:
     SceneRenderer renderer(m_context, prepared, prepared.settings, paths, wanted.views.size(), {},
                            imageRelease(prepared, paths));
     const Settings& settings = prepared.settings;
+    m_samples = std::max(m_samples, settings.samples);
     json.beginArray();
     for (std::size_t v = 0; v < wanted.views.size(); ++v) {
       const std::string& name = wanted.views[v].name;
@@ -217,6 +225,7 @@ private:
 
   Context& m_context;
   const fs::path m_folder;
+  int m_samples = 1; // the most that a scene has
 };
 
 } // namespace

@@ -46,6 +46,7 @@ std::string describeNoCause(const MaterialResult& material) {
   if (material.figures.nonFinite > 0) return "NaN or infinite pixels";
   if (material.verdict == compare::Verdict::error) return "could not be judged";
   if (material.attribution) return kNoSingleTerm;
+  if (material.isExternal) return "a picture of another engine, whose terms are not known";
   if (!anyCheckFound(material)) {
     if (!material.notModelled.empty())
       return fmt::format("base layer only: no path models {}", fmt::join(material.notModelled, ", "));

@@ -75,6 +75,7 @@ struct MaterialResult {
   std::string accepted;                 // what its budget accepts although it is no pass, and why; empty: nothing
   std::vector<std::string> notModelled; // parts of it that no path models ("clearcoat"): only its base layer is judged
   std::vector<std::string> notes;       // permutation ("nonmetal", "fully rough"), sampler excess, tinted F0, ...
+  bool isExternal = false;              // a picture of another engine takes part: its terms are not known
   std::vector<TermFigures> terms;
   ImageSet crops; // around the material's pixels; empty where it is not seen
   compare::AppliedRule rule;

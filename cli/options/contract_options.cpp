@@ -2,17 +2,12 @@
 #include "cli/options/contract_options.h"
 
 #include "cli/options/option_parts.h"
+#include "cli/options/plan_options.h"
 
 namespace parity::cli {
 
 void addContractOptions(CLI::App& app, ContractCommand& contract, RawOptions& raw) {
-  app.add_option("scenes", contract.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
-      ->type_name(kSceneFile);
-  app.add_option("--suite", contract.suite, "Suite file (TOML): many scenes, with their views and light")
-      ->type_name(kFile)
-      ->group(kInputGroup)
-      ->excludes(app.get_option("scenes"));
-  addOnlyOption(app, contract.common.only);
+  addSceneList(app, contract.scenes, contract.suite, contract.common);
   app.add_option("-o,--output", contract.output, "Folder to write: contract.json and the files that it names")
       ->type_name(kFolder)
       ->group(kOutputGroup)

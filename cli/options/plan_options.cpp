@@ -30,14 +30,14 @@ void settleWorkers(WorkerOptions& workers, const RawWorkers& raw) {
   if (!raw.memory.empty()) workers.memoryBytes = readOption("--memory", base::readBytes, raw.memory);
 }
 
-void addSceneList(CLI::App& app, ReportCommand& report) {
-  app.add_option("scenes", report.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
+void addSceneList(CLI::App& app, std::vector<std::string>& scenes, std::string& suite, CommonOptions& common) {
+  app.add_option("scenes", scenes, "Scene files or builtin:NAME; -: one a line from standard input")
       ->type_name(kSceneFile);
-  app.add_option("--suite", report.suite, "Suite file (TOML): many scenes, with their views, light and budgets")
+  app.add_option("--suite", suite, "Suite file (TOML): many scenes, with their views, light and budgets")
       ->type_name(kFile)
       ->group(kInputGroup)
       ->excludes(app.get_option("scenes"));
-  addOnlyOption(app, report.common.only);
+  addOnlyOption(app, common.only);
 }
 
 void addPlanOptions(CLI::App& app, PlanCommand& plan) {

@@ -33,7 +33,7 @@ void addWorkerOptions(CLI::App& app, WorkerOptions& workers, RawWorkers& raw, co
 void settleWorkers(WorkerOptions& workers, const RawWorkers& raw);
 
 // Scenes, --suite and --only.
-void addSceneList(CLI::App& app, ReportCommand& report);
+void addSceneList(CLI::App& app, std::vector<std::string>& scenes, std::string& suite, CommonOptions& common);
 
 // parity plan's own, besides the scenes and what compares them; parity work; parity merge.
 void addPlanOptions(CLI::App& app, PlanCommand& plan);

@@ -2,13 +2,13 @@
 // form; errors are told in one line. Run by `node --test test.mjs`; needs nothing but node and Blender.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { cpSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
-import { writeTinyContract } from "../threejs/tiny.mjs";
+import { changedContract, writeTinyContract } from "../threejs/tiny.mjs";
 import { checkBall, checkColours, checkEdges, checkLights } from "../threejs/tiny_checks.mjs";
 
 const kBlender = process.env.BLENDER || "blender";
@@ -19,11 +19,7 @@ let folder, shots, contract;
 const run = (...words) => spawnSync(kBlender, ["-b", "--factory-startup", "-t", "1", "--python", kProgram, "--", ...words], { encoding: "utf8", env: { ...process.env, DISPLAY: "", WAYLAND_DISPLAY: "" } });
 
 function runChanged(name, change) {
-  const copy = mkdtempSync(join(folder, "changed-"));
-  cpSync(join(folder, "contract"), copy, { recursive: true });
-  const changed = structuredClone({ ...contract, scenes: contract.scenes.filter((each) => each.name === name) });
-  change(changed, copy);
-  writeFileSync(join(copy, "contract.json"), JSON.stringify(changed));
+  const copy = changedContract(folder, contract, name, change);
   return { ...run(copy, join(copy, "shots"), "--samples", "1"), shots: join(copy, "shots") };
 }
 

@@ -2,14 +2,14 @@
 // in one line. Run by `npm test`.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { cpSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 
 import { decodePng } from "./png.mjs";
-import { writeTinyContract } from "./tiny.mjs";
+import { changedContract, writeTinyContract } from "./tiny.mjs";
 import { checkBall, checkCentres, checkColours, checkEdges, checkLights } from "./tiny_checks.mjs";
 
 const kProgram = fileURLToPath(new URL("render.mjs", import.meta.url));
@@ -17,13 +17,9 @@ let folder, shots, contract;
 
 const run = (...words) => spawnSync(process.execPath, [kProgram, ...words], { encoding: "utf8" });
 
-/** A copy of the contract with one scene, changed. Returns what the adapter says of it. */
+/** What the adapter says of a changed copy of the contract. */
 function runChanged(name, change) {
-  const copy = mkdtempSync(join(folder, "changed-"));
-  cpSync(join(folder, "contract"), copy, { recursive: true });
-  const changed = structuredClone({ ...contract, scenes: contract.scenes.filter((each) => each.name === name) });
-  change(changed, copy);
-  writeFileSync(join(copy, "contract.json"), JSON.stringify(changed));
+  const copy = changedContract(folder, contract, name, change);
   return { ...run(copy, join(copy, "shots")), shots: join(copy, "shots") };
 }
 

@@ -4,7 +4,7 @@
 //   colours   a row of unlit quads of known codes, one stop brighter by the view's exposure
 //   ball      a mirror ball under a map with a patch of its own colour in each of six directions, seen from two sides
 //   lights    a diffuse plane under a directional, a point and a spot light; the file holds a light that is to be removed
-import { mkdirSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 export const kBackground = [0.18, 0.18, 0.18];
@@ -218,4 +218,14 @@ export function writeTinyContract(folder, samples = 16) {
   const contract = { format: 1, tool: "parity 0.2.0", scenes };
   writeFileSync(join(folder, "contract.json"), JSON.stringify(contract, null, 1));
   return contract;
+}
+
+/** A copy of the contract in `folder`/contract with one of its scenes, changed. Returns where it lies. */
+export function changedContract(folder, contract, name, change) {
+  const copy = mkdtempSync(join(folder, "changed-"));
+  cpSync(join(folder, "contract"), copy, { recursive: true });
+  const changed = structuredClone({ ...contract, scenes: contract.scenes.filter((each) => each.name === name) });
+  change(changed, copy);
+  writeFileSync(join(copy, "contract.json"), JSON.stringify(changed));
+  return copy;
 }

@@ -306,10 +306,8 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
       if (std::string excess = request.renderer->describeExcess(scene.materials[chosen[i]]); !excess.empty())
         material.notes.push_back(std::move(excess));
     }
-    if (request.isMixed())
-      material.notes.push_back("a picture of another engine: its terms are not known, so no cause is named");
-    else
-      material.terms = termFigures(frames, request.test, list);
+    material.isExternal = request.isMixed();
+    if (!request.isMixed()) material.terms = termFigures(frames, request.test, list);
     material.whatIf = std::move(whatIfs[i]);
     if (!encoding.empty()) material.stages.push_back({report::kEncodingStage, target, std::move(encoding[i + 1])});
     if (!textures.empty()) material.stages.push_back({report::kTexturesStage, block, std::move(textures[i + 1])});

@@ -132,6 +132,7 @@ template <typename T> struct Emptiness {
   static bool isEmpty(const T& value) {
     if constexpr (kIsOptional<T>) return !value.has_value();
     if constexpr (std::is_same_v<T, std::string> || kIsList<T>) return value.empty();
+    if constexpr (std::is_same_v<T, bool>) return !value;
     return false;
   }
 };

@@ -149,6 +149,8 @@ template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResul
           "Parts that no path models; then only the base layer is judged, and the verdict is at least warn",
           {.read = true, .mayLack = true}),
     field("notes", &MaterialResult::notes, "Permutation, sampler excess, tinted F0, ..."),
+    field("external", &MaterialResult::isExternal,
+          "A picture of another engine takes part, so no terms and no cause are known; absent: no", {.ifEmpty = IfEmpty::absent}),
     field("terms", &MaterialResult::terms),
     field("crops", &MaterialResult::crops, "", {.read = true, .mayLack = true}),
     field("truth", &MaterialResult::truth, "", {.read = true, .mayLack = true}),

@@ -156,7 +156,7 @@ TEST_F(ApprovalsTest, FailOnNewCountsOnlyWhatTheBaselineDoesNotHave) {
   EXPECT_TRUE(exitedWith(0, same));
   EXPECT_TRUE(contains(same.out, "0 new failures, ")) << same.out;
   EXPECT_TRUE(contains(same.out, "still failing, not counted")) << same.out;
-  expectUsage(report("out", {"--fail-on", "new"}), {"--fail-on", "needs --baseline"});
+  expectUsage(report("out", {"--fail-on", "new"}), {"--fail-on", "needs --history or --baseline"});
   ASSERT_TRUE(isReported(report("part", {"--material", "*"})));
   const RunResult part = report("out", {"--baseline", path("part"), "--fail-on", "new"});
   EXPECT_TRUE(exitedWith(4, part));

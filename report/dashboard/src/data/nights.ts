@@ -1,5 +1,6 @@
 // The overview of nightly runs: its data block, checked as far as the page relies on it, and what is said of nights and changes.
 import type { Night, NightChange, Nights, Trend, TrendChange } from "./history";
+import { dayOf } from "./trends";
 import { countOf } from "./wording";
 
 export type Kind = TrendChange["kind"];
@@ -22,9 +23,6 @@ export function nightsOf(value: unknown): Nights | { problem: string } {
   if (!Object.values(rows).every(isTrend)) return { problem: "A row of it is not complete." };
   return value as unknown as Nights;
 }
-
-/** "2026-11-23", of a time in ISO 8601. */
-export const dayOf = ({ started }: { started: string }): string => started.slice(0, 10);
 
 /** "2026-11-23 03:00 UTC" */
 export const timeOf = ({ started }: { started: string }): string => `${started.slice(0, 16).replace("T", " ")} UTC`;

@@ -330,6 +330,7 @@ export interface Material {
   baseline: Change | null; // null: there is no baseline
   notModelled: string[]; // Parts that no path models; then only the base layer is judged, and the verdict is at least warn
   notes: string[]; // Permutation, sampler excess, tinted F0, ...
+  external?: boolean; // A picture of another engine takes part, so no terms and no cause are known; absent: no
   terms: TermLight[];
   crops: Images;
   truth?: Truth;

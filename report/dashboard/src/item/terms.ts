@@ -44,6 +44,7 @@ export class ParityTerms extends PageElement {
 
   private renderWhyNone(material: Material | null): TemplateResult {
     if (!material) return html`<p class="aside">Only materials have causes. Open a material of this view.</p>`;
+    if (material.external) return html`<p class="aside">A picture of another engine takes part. Its terms of light are not known, so no cause is named.</p>`;
     return html`<p class="aside">The report looks for the cause of materials over budget. <code>--attribution all</code> looks for the cause of all.</p>`;
   }
 

@@ -3,15 +3,13 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
 
 import type { EarlierRun, TrendChange } from "../data/history";
 import { changeWords, dayOf, labelledPlaces, limitLines, placesOf, rangeOfValues, runTitle, stepsOf, valueAt, type ChartLimits, type ChartSeries } from "../data/trends";
 import { countOf } from "../data/wording";
-import { PageElement } from "../element";
 import { significant } from "../format";
+import { PlotElement } from "./plot_element";
 
-const kHeight = 210;
 const kLabelWidth = 58; // px that a date takes
 const kColors = ["--accent", "--error", "--pass", "--not-judged"]; // of the series, variables of tokens.css
 const kDashes = [[], [8, 4], [2, 3], [8, 3, 2, 3]]; // so that colour alone does not tell them apart
@@ -21,7 +19,7 @@ const kChangeColors: Readonly<Record<TrendChange["kind"], string>> = {
 const kToday = "this run";
 
 @customElement("parity-run-chart")
-export class ParityRunChart extends PageElement {
+export class ParityRunChart extends PlotElement {
   @property({ attribute: false }) runs: readonly EarlierRun[] = []; // oldest first
   @property({ attribute: false }) series: readonly ChartSeries[] = [];
   @property({ attribute: false }) changes: readonly TrendChange[] = [];
@@ -31,31 +29,7 @@ export class ParityRunChart extends PageElement {
   @query(".plot") private place!: HTMLElement | null;
   @state() private at = -1; // the run that is pointed at; -1: none
 
-  private plot: uPlot | null = null;
-  private readonly resizing = new ResizeObserver(() => this.resize());
-  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly redraw = (): void => this.plot?.redraw(false);
-  private readonly theme = new MutationObserver(this.redraw);
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.dark.addEventListener("change", this.redraw);
-    this.theme.observe(document.documentElement, { attributeFilter: ["data-theme"] });
-    this.requestUpdate();
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.dark.removeEventListener("change", this.redraw);
-    this.theme.disconnect();
-    this.drop();
-  }
-
-  private drop(): void {
-    this.resizing.disconnect();
-    this.plot?.destroy();
-    this.plot = null;
-  }
+  protected readonly plotHeight = 210;
 
   private get places(): number {
     return placesOf(this.runs.length, this.series);
@@ -67,16 +41,9 @@ export class ParityRunChart extends PageElement {
 
   protected override updated(changed: PropertyValues<this>): void {
     const isOther = (["runs", "series", "changes", "limits", "unit", "format"] as const).some((name) => changed.has(name));
-    if (this.place === null) this.drop();
-    else if (isOther || this.plot === null || this.plot.root.parentElement !== this.place) {
-      this.drop();
-      this.plot = this.makePlot(this.place);
-      this.resizing.observe(this.place);
-    }
-  }
-
-  private color(name: string): string {
-    return getComputedStyle(this).getPropertyValue(name).trim();
+    const { place } = this;
+    if (place === null) this.drop();
+    else if (isOther || !this.isDrawnIn(place)) this.hold(place, () => this.makePlot(place));
   }
 
   private text(value: number | null): string {
@@ -90,8 +57,7 @@ export class ParityRunChart extends PageElement {
     const axis = { stroke: () => this.color("--muted"), ticks: { stroke: () => this.color("--line"), width: 1, size: 5 }, font: "12px system-ui" };
     return new uPlot(
       {
-        width: Math.max(place.clientWidth, 200),
-        height: kHeight,
+        ...this.sizeIn(place),
         padding: [10, 30, 0, 0],
         scales: { x: { time: false, range: [-0.6, this.places - 0.4] }, y: { range } },
         axes: [
@@ -176,11 +142,6 @@ export class ParityRunChart extends PageElement {
     const next = this.at < 0 ? this.places - 1 : Math.min(Math.max(this.at + by, 0), this.places - 1);
     this.plot?.setCursor({ left: this.plot.valToPos(next, "x"), top: 0 });
   };
-
-  private resize(): void {
-    const width = this.place?.clientWidth ?? 0;
-    if (this.plot !== null && width > 0 && width !== this.plot.width) this.plot.setSize({ width, height: kHeight });
-  }
 
   /** "2026-11-21, 010e2b14a553: 0.1713; regressed, cause: asset" */
   private readout(run: number): string {

@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 
 import type { Night, Nights } from "../data/history";
 import { machinesOf, shareOf, stepsOf, type Machine, type Step } from "../data/night_machines";
-import { dayOf } from "../data/nights";
+import { dayOf } from "../data/trends";
 import { duration, fixed, signed } from "../format";
 import { linkOf, type Shown } from "./night_link";
 import { table } from "./table";

@@ -2,14 +2,12 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query, state } from "lit/decorators.js";
 import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
 
 import type { Night } from "../data/history";
 import type { Lane, Line } from "../data/night_lines";
-import { dayOf } from "../data/nights";
-import { PageElement } from "../element";
+import { dayOf } from "../data/trends";
+import { PlotElement } from "../plot/plot_element";
 
-const kHeight = 170;
 const kLaneHeight = 9;
 
 /** How many digits a label of the axis needs to differ from its neighbours. */
@@ -17,7 +15,7 @@ const digitsOf = (step: number): number => Math.min(6, Math.max(0, Math.ceil(-Ma
 
 /** Fires "night" with the place of a run that was clicked. */
 @customElement("parity-night-chart")
-export class ParityNightChart extends PageElement {
+export class ParityNightChart extends PlotElement {
   @property() label = "";
   @property({ attribute: false }) runs: readonly Night[] = [];
   @property({ attribute: false }) lines: readonly Line[] = [];
@@ -27,44 +25,14 @@ export class ParityNightChart extends PageElement {
   @query(".plot") private place!: HTMLElement;
   @state() private at: number | null = null; // the run that is pointed at
 
-  private plot: uPlot | null = null;
-  private readonly resizing = new ResizeObserver(() => this.resize());
-  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly redraw = (): void => this.plot?.redraw(false);
-  private readonly theme = new MutationObserver(this.redraw);
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.dark.addEventListener("change", this.redraw);
-    this.theme.observe(document.documentElement, { attributeFilter: ["data-theme"] });
-    this.requestUpdate("lines");
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.dark.removeEventListener("change", this.redraw);
-    this.theme.disconnect();
-    this.drop();
-  }
-
-  private drop(): void {
-    this.resizing.disconnect();
-    this.plot?.destroy();
-    this.plot = null;
-  }
+  protected readonly plotHeight = 170;
 
   protected override updated(changed: PropertyValues<this>): void {
     if (this.plot === null || changed.has("lines") || changed.has("runs") || changed.has("lanes")) {
-      this.drop();
-      this.plot = this.makePlot();
-      this.resizing.observe(this.place);
+      this.hold(this.place, () => this.makePlot());
     } else if (changed.has("selected")) {
       this.redraw();
     }
-  }
-
-  private color(name: string): string {
-    return getComputedStyle(this).getPropertyValue(name).trim();
   }
 
   private seriesOf({ label, color, dash, isScattered }: Line): uPlot.Series {
@@ -88,8 +56,7 @@ export class ParityNightChart extends PageElement {
     };
     const plot = new uPlot(
       {
-        width: Math.max(this.place.clientWidth, 200),
-        height: kHeight,
+        ...this.sizeIn(this.place),
         padding: [8 + kLaneHeight * this.lanes.length, 12, 0, 0],
         scales: {
           x: { time: false, range: [-0.5, this.runs.length - 0.5] },
@@ -135,11 +102,6 @@ export class ParityNightChart extends PageElement {
       ctx.stroke();
     }
     ctx.restore();
-  }
-
-  private resize(): void {
-    const width = this.place.clientWidth;
-    if (this.plot !== null && width > 0 && width !== this.plot.width) this.plot.setSize({ width, height: kHeight });
   }
 
   protected override render(): TemplateResult {

@@ -3,7 +3,8 @@ import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, state } from "lit/decorators.js";
 
 import type { Nights, Trend, TrendChange, VerdictSpan } from "../data/history";
-import { dayOf, figuresOf } from "../data/nights";
+import { figuresOf } from "../data/nights";
+import { dayOf } from "../data/trends";
 import type { ChartSeries } from "../data/trends";
 import { countOf } from "../data/wording";
 import { PageElement } from "../element";

@@ -2,7 +2,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 
 import type { Night } from "../data/history";
-import { dayOf, eventsOf, remarksOf } from "../data/nights";
+import { eventsOf, remarksOf } from "../data/nights";
+import { dayOf } from "../data/trends";
 import { count, fixed, significant } from "../format";
 import { badge } from "../parts";
 import { kindBadge } from "./change_words";

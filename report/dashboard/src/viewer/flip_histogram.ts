@@ -2,18 +2,16 @@
 import { html, type PropertyValues, type TemplateResult } from "lit";
 import { customElement, property, query } from "lit/decorators.js";
 import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
 
 import type { Plane } from "../data/chunk";
 import { makeHistogram, type Histogram } from "../data/histogram";
 import type { Check } from "../data/types";
 import { countOf } from "../data/wording";
-import { PageElement } from "../element";
 import { count, fixed } from "../format";
 import { help } from "../help";
+import { PlotElement } from "../plot/plot_element";
 
 const kBins = 100;
-const kHeight = 190;
 
 interface Mark {
   value: number;
@@ -41,7 +39,7 @@ export function marksOf(histogram: Histogram, checks: readonly Check[], threshol
 }
 
 @customElement("parity-flip-histogram")
-export class ParityFlipHistogram extends PageElement {
+export class ParityFlipHistogram extends PlotElement {
   @property({ attribute: false }) flip: Plane | null = null;
   @property({ attribute: false }) materials: Plane | null = null;
   @property({ attribute: false }) material = -1;
@@ -52,32 +50,7 @@ export class ParityFlipHistogram extends PageElement {
 
   private histogram: Histogram | null = null;
   private marks: Mark[] = [];
-  private plot: uPlot | null = null;
-  private readonly resizing = new ResizeObserver(() => this.resize());
-  private readonly dark = matchMedia("(prefers-color-scheme: dark)");
-  private readonly theme = new MutationObserver(() => this.plot?.redraw(false));
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.dark.addEventListener("change", this.onScheme);
-    this.theme.observe(document.documentElement, { attributeFilter: ["data-theme"] });
-    this.requestUpdate();
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.dark.removeEventListener("change", this.onScheme);
-    this.theme.disconnect();
-    this.drop();
-  }
-
-  private readonly onScheme = (): void => this.plot?.redraw(false);
-
-  private drop(): void {
-    this.resizing.disconnect();
-    this.plot?.destroy();
-    this.plot = null;
-  }
+  protected readonly plotHeight = 190;
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     const isOther = changed.has("flip") || changed.has("materials") || changed.has("material");
@@ -88,27 +61,19 @@ export class ParityFlipHistogram extends PageElement {
   }
 
   protected override updated(): void {
-    if (this.place === null || this.histogram === null) {
+    const { place } = this;
+    if (place === null || this.histogram === null) {
       this.drop();
       return;
     }
     const data = this.dataOf(this.histogram);
-    if (this.plot === null || this.plot.root.parentElement !== this.place) {
-      this.drop();
-      this.plot = this.makePlot(data, this.place);
-      this.resizing.observe(this.place);
-    } else {
-      this.plot.setData(data);
-    }
+    if (this.isDrawnIn(place)) this.plot?.setData(data);
+    else this.hold(place, () => this.makePlot(data, place));
   }
 
   /** A bin without pixels has no place on a logarithmic axis. */
   private dataOf({ counts }: Histogram): uPlot.AlignedData {
     return [counts.map((_, i) => (i + 0.5) / counts.length), counts.map((n) => (n === 0 ? null : n))];
-  }
-
-  private color(name: string): string {
-    return getComputedStyle(this).getPropertyValue(name).trim();
   }
 
   private makePlot(data: uPlot.AlignedData, place: HTMLElement): uPlot {
@@ -121,8 +86,7 @@ export class ParityFlipHistogram extends PageElement {
     const bars = uPlot.paths.bars?.({ size: [1, Infinity], gap: 0 });
     return new uPlot(
       {
-        width: Math.max(place.clientWidth, 200),
-        height: kHeight,
+        ...this.sizeIn(place),
         scales: {
           x: { time: false, range: [0, 1] },
           y: { distr: 3, range: (_, __, most) => [0.7, Math.max(most, 10) * 1.4] },
@@ -169,11 +133,6 @@ export class ParityFlipHistogram extends PageElement {
       ctx.stroke();
     }
     ctx.restore();
-  }
-
-  private resize(): void {
-    const width = this.place?.clientWidth ?? 0;
-    if (this.plot !== null && width > 0 && width !== this.plot.width) this.plot.setSize({ width, height: kHeight });
   }
 
   /** The same in a sentence, for whoever does not see the plot. */

@@ -3,7 +3,7 @@ import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } 
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+import { chromium, type Browser, type BrowserContext, type BrowserContextOptions, type Page } from "playwright-core";
 
 import type { EarlierRuns, SceneTrends } from "../../src/data/history";
 import { kDefaultState, toHash } from "../../src/data/state";
@@ -88,12 +88,20 @@ export interface Opened {
 }
 
 export async function startBrowser(): Promise<Browser> {
-  return chromium.launch({ executablePath: chromiumProgram(), args: ["--no-sandbox", "--disable-background-networking"] });
+  return chromium.launch({ executablePath: chromiumProgram(), args: ["--no-sandbox", "--disable-background-networking", "--disable-gpu"] });
 }
 
-/** The page of a report, once it is drawn. hash: with "#". */
+const openContexts: BrowserContext[] = [];
+
+/** Closes the pages of a test: one that stays open goes on to take time. */
+export async function closePages(): Promise<void> {
+  await Promise.all(openContexts.splice(0).map((each) => each.close()));
+}
+
+/** The page of a report, once it is drawn. hash: with "#". The end of the test closes it. */
 export async function openReport(browser: Browser, folder: string, hash = "", options: BrowserContextOptions = {}): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, ...options });
+  openContexts.push(context);
   const page = await context.newPage();
   const opened: Opened = { page, problems: [], requests: [] };
   page.on("pageerror", (error) => opened.problems.push(String(error.stack ?? error)));

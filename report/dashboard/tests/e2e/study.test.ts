@@ -98,11 +98,11 @@ describe("nightly runs", () => {
   const folders: string[] = [];
   afterAll(() => folders.forEach((each) => rmSync(each, { recursive: true, force: true })));
 
-  /** The folder of a page of these nights, with the script and the style of another one. */
+  /** The folder of a page of these nights, with the script and the style of a report. */
   function folderOf(nights: unknown): string {
     const folder = mkdtempSync(join(tmpdir(), "parity-nights-"));
     folders.push(folder);
-    for (const file of ["dashboard.js", "dashboard.css"]) copyFileSync(join(reportFolder("sweep"), file), join(folder, file));
+    for (const file of ["dashboard.js", "dashboard.css"]) copyFileSync(join(reportFolder("empty"), file), join(folder, file));
     writeFileSync(join(folder, "index.html"), nightsPage(nights));
     return folder;
   }
