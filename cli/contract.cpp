@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/parallel.h"
+#include "cli/file_conflicts.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/progress.h"
@@ -16,6 +17,10 @@ namespace parity::cli {
 int runContractCommand(const ContractCommand& command) {
   const base::ThreadLimit threads(command.common.threads);
   const RunRequest run = runRequest(command.common, withListed(command.scenes, "scene"), command.suite);
+  std::vector<NamedFile> outputs;
+  for (const std::string& file : job::contractFiles(run.scenes.size()))
+    outputs.push_back({"-o", std::filesystem::path(command.output) / file});
+  requireSeparate(outputs, inputFiles(command.common, run.scenes));
   job::Context context(run.settings);
   job::writeContract(context, run.scenes, command.output, makeProgress(command.common.quiet));
   print("{}\n", (std::filesystem::path(command.output) / job::kContractFile).string());

@@ -10,6 +10,8 @@
 #include "base/error.h"
 #include "external/angles.h"
 #include "external/calibration_scene.h"
+#include "external/find_marks.h"
+#include "external/picture.h"
 #include "external/rotation_fit.h"
 
 namespace parity::external {
@@ -17,134 +19,6 @@ namespace parity::external {
 namespace {
 
 double luma(const float* rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
-
-// A bright patch of the picture.
-struct Blob {
-  glm::dvec2 at{0.0}; // pixels from the picture's middle, y down
-  glm::dvec3 color{0.0};
-  double area = 0;
-  int width = 0, height = 0;
-};
-
-// Connected pixels that are brighter than a threshold in some channel. Their places are weighted by how bright they
-// are.
-std::vector<Blob> findBlobs(const base::Image& values) {
-  constexpr float kThreshold = 0.25f;
-  const int width = values.width, height = values.height;
-  const auto strength = [&](std::size_t pixel) {
-    const float* c = &values.pixels[3 * pixel];
-    return std::max({c[0], c[1], c[2]});
-  };
-  std::vector<char> seen(values.pixelCount(), 0);
-  std::vector<Blob> blobs;
-  for (std::size_t start = 0; start < seen.size(); ++start) {
-    if (seen[start] || strength(start) < kThreshold) continue;
-    Blob blob;
-    double weights = 0;
-    int left = width, right = -1, top = height, bottom = -1;
-    std::vector<std::size_t> open = {start};
-    seen[start] = 1;
-    while (!open.empty()) {
-      const std::size_t pixel = open.back();
-      open.pop_back();
-      const int x = static_cast<int>(pixel % static_cast<std::size_t>(width)),
-                y = static_cast<int>(pixel / static_cast<std::size_t>(width));
-      const double weight = strength(pixel);
-      weights += weight, blob.area += 1;
-      blob.at += weight * glm::dvec2(x - 0.5 * (width - 1), y - 0.5 * (height - 1));
-      for (int c = 0; c < 3; ++c) blob.color[c] += values.pixels[3 * pixel + static_cast<std::size_t>(c)];
-      left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
-      for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
-        const int nx = x + dx, ny = y + dy;
-        if (nx < 0 || ny < 0 || nx >= width || ny >= height) continue;
-        const std::size_t next =
-            static_cast<std::size_t>(ny) * static_cast<std::size_t>(width) + static_cast<std::size_t>(nx);
-        if (seen[next] || strength(next) < kThreshold) continue;
-        seen[next] = 1;
-        open.push_back(next);
-      }
-    }
-    blob.at /= weights;
-    blob.color /= blob.area;
-    blob.width = right - left + 1, blob.height = bottom - top + 1;
-    blobs.push_back(blob);
-  }
-  return blobs;
-}
-
-// The place of the picture's units in pixels from its middle, y down.
-glm::dvec2 pixelOf(const glm::dvec2& at, int size) { return glm::dvec2(at.x, -at.y) * (0.5 * size); }
-
-glm::dvec2 turned(glm::dvec2 p, int quarters, bool mirrored) {
-  if (mirrored) p.x = -p.x;
-  for (int i = 0; i < quarters; ++i) p = {-p.y, p.x};
-  return p;
-}
-
-bool isColored(const glm::dvec3& found, const glm::dvec3& wanted) {
-  const double most = std::max({found.x, found.y, found.z, 1e-6});
-  for (int c = 0; c < 3; ++c)
-    if ((found[c] / most > 0.6) != (wanted[c] > 0.5)) return false;
-  return true;
-}
-
-struct Match {
-  std::vector<std::pair<glm::dvec2, glm::dvec2>> pairs; // where a mark should be, and is: pixels, y down
-  int quarters = 0;
-  bool mirrored = false;
-};
-
-// The turn in which most marks lie where a blob of their colour and size is.
-Match matchMarks(const std::vector<Blob>& blobs, int size) {
-  constexpr double kNear = 0.06; // of the size
-  const double area = kPi * std::pow(kMarkRadius * 0.5 * size, 2);
-  Match best;
-  for (int quarters = 0; quarters < 4; ++quarters)
-    for (const bool mirrored : {false, true}) {
-      Match match{{}, quarters, mirrored};
-      for (const Mark& mark : marks()) {
-        const glm::dvec2 place = pixelOf(turned(mark.at, quarters, mirrored), size);
-        for (const Blob& blob : blobs)
-          if (glm::distance(blob.at, place) < kNear * size && blob.area > 0.5 * area && blob.area < 2 * area &&
-              isColored(blob.color, mark.color))
-            match.pairs.emplace_back(pixelOf(mark.at, size), blob.at);
-      }
-      if (match.pairs.size() > best.pairs.size()) best = match;
-    }
-  return best;
-}
-
-// The similarity that takes the places to where they are, by least squares.
-void fitPlacement(const Match& match, Calibration& calibration) {
-  glm::dvec2 from(0), to(0);
-  const auto n = static_cast<double>(match.pairs.size());
-  const auto seen = [&](glm::dvec2 p) {
-    p.y = -p.y; // the turn is of the picture's units
-    p = turned(p, match.quarters, match.mirrored);
-    return glm::dvec2(p.x, -p.y);
-  };
-  for (const auto& [place, found] : match.pairs) from += seen(place) / n, to += found / n;
-  double dot = 0, cross = 0, square = 0;
-  for (const auto& [place, found] : match.pairs) {
-    const glm::dvec2 a = seen(place) - from, b = found - to;
-    dot += glm::dot(a, b), cross += a.x * b.y - a.y * b.x, square += glm::dot(a, a);
-  }
-  Placement& placement = calibration.placement;
-  placement.scale = std::hypot(dot, cross) / square;
-  const double angle = std::atan2(cross, dot), c = std::cos(angle) * placement.scale,
-               s = std::sin(angle) * placement.scale;
-  placement.rotationDeg = angle / kDegree;
-  const glm::dvec2 shift = to - glm::dvec2(c * from.x - s * from.y, s * from.x + c * from.y);
-  placement.dx = shift.x, placement.dy = shift.y;
-  placement.mirrored = match.mirrored;
-  calibration.quarterTurns = match.quarters;
-  double error = 0;
-  for (const auto& [place, found] : match.pairs) {
-    const glm::dvec2 a = seen(place), b(c * a.x - s * a.y + shift.x, s * a.x + c * a.y + shift.y);
-    error += glm::dot(b - found, b - found) / n;
-  }
-  calibration.residual = std::sqrt(error);
-}
 
 // The picture's value at a place of the scene's picture, the nearest pixel.
 class Places {
@@ -174,35 +48,45 @@ private:
   glm::dvec2 m_shift{0.0};
 };
 
-std::vector<CurveFit> fitCurves(const base::Image& values, const Places& places) {
-  std::array<glm::dvec3, kRampSteps> seen{};
-  for (std::size_t step = 0; step < kRampSteps; ++step) {
-    constexpr int kSamples = 8; // each way, of the middle half of a patch
-    for (int j = 0; j < kSamples; ++j)
-      for (int i = 0; i < kSamples; ++i) {
-        const glm::dvec2 offset = (glm::dvec2(i, j) + 0.5) / static_cast<double>(kSamples) - 0.5;
-        const float* value =
-            places.at(pixelOf(rampPlace(step) + offset * glm::dvec2(kRampHalf, kRampHalfHeight), values.width));
-        seen[step] += glm::dvec3(value[0], value[1], value[2]) / static_cast<double>(kSamples * kSamples);
-      }
-  }
-  std::vector<CurveFit> fits;
+// The mean value within a rectangle of the picture's units.
+Rgb meanAround(const Places& places, const glm::dvec2& at, const glm::dvec2& size, int width) {
+  constexpr int kSamples = 8; // each way
+  Rgb mean{};
+  for (int j = 0; j < kSamples; ++j)
+    for (int i = 0; i < kSamples; ++i) {
+      const glm::dvec2 offset = (glm::dvec2(i, j) + 0.5) / static_cast<double>(kSamples) - 0.5;
+      const float* value = places.at(pixelOf(at + offset * size, width));
+      for (std::size_t c = 0; c < 3; ++c) mean[c] += value[c] / static_cast<double>(kSamples * kSamples);
+    }
+  return mean;
+}
+
+void fitCurves(const base::Image& values, const Places& places, Calibration& calibration) {
+  std::array<Rgb, kRampSteps> seen{};
+  for (std::size_t step = 0; step < kRampSteps; ++step) // the middle half of a patch
+    seen[step] = meanAround(places, rampPlace(step), {kRampHalf, kRampHalfHeight}, values.width);
   for (const char* name : kTransferNames) {
-    CurveFit& fit = fits.emplace_back();
+    CurveFit& fit = calibration.curves.emplace_back();
     fit.transfer = *findTransfer(name);
     for (std::size_t step = 0; step < kRampSteps; ++step) {
       const double grey = rampValue(step);
       const Rgb value = encode(fit.transfer, {grey, grey, grey});
-      for (int c = 0; c < 3; ++c) fit.error += std::pow(255 * (value[static_cast<std::size_t>(c)] - seen[step][c]), 2);
+      for (std::size_t c = 0; c < 3; ++c) fit.error += std::pow(255 * (value[c] - seen[step][c]), 2);
     }
     fit.error = std::sqrt(fit.error / (3 * kRampSteps));
   }
-  std::ranges::stable_sort(fits, {}, &CurveFit::error);
-  return fits;
+  std::ranges::stable_sort(calibration.curves, {}, &CurveFit::error);
+  calibration.fitted = FittedCurve::fit(seen);
+  if (!calibration.fitted) return;
+  for (const Mark& mark : marks()) {
+    const Rgb light = calibration.fitted->light(meanAround(places, mark.at, glm::dvec2(kMarkRadius), values.width));
+    for (int c = 0; c < 3; ++c)
+      calibration.mixing = std::max(calibration.mixing, std::abs(light[static_cast<std::size_t>(c)] - mark.color[c]));
+  }
 }
 
 // How an edge rises from a tenth to nine tenths; a box of one pixel does so within 0.8 pixels.
-double filterWidthOf(const base::Image& light, const Places& places) {
+double measureFilter(const base::Image& light, const Places& places) {
   const double half = 0.5 * light.width, angle = kBarAngleDeg * kDegree;
   const glm::dvec2 along(std::cos(angle), -std::sin(angle)), up(-std::sin(angle), -std::cos(angle)); // y down
   const glm::dvec2 middle = pixelOf({0, kBarAt}, light.width) + up * (kBarHalfHeight * half);
@@ -298,24 +182,35 @@ Calibration calibrate(const base::Image& values, const std::filesystem::path& fi
   };
   if (values.width != values.height)
     refuse(fmt::format("is {} x {} pixels; the calibration's picture is square", values.width, values.height));
-  const Match match = matchMarks(findBlobs(values), values.width);
-  if (match.pairs.size() < kLeastMarks)
-    refuse(fmt::format("does not show the calibration scene: {} of its {} marks are found", match.pairs.size(),
-                       marks().size()));
+  const FoundMarks found = findMarks(values);
+  if (found.count < kLeastMarks)
+    refuse(
+        fmt::format("does not show the calibration scene: {} of its {} marks are found", found.count, marks().size()));
   Calibration calibration;
-  fitPlacement(match, calibration);
-  if (match.mirrored || match.quarters != 0) return calibration; // the rest is read where nothing is turned
+  calibration.placement = found.placement, calibration.residual = found.residual;
+  calibration.quarterTurns = found.quarterTurns;
+  if (found.placement.mirrored || found.quarterTurns != 0)
+    return calibration; // the rest is read where nothing is turned
   const Places places(values, calibration.placement);
-  calibration.curves = fitCurves(values, places);
-  base::Image light = values;
-  for (std::size_t i = 0; i < light.pixelCount(); ++i) {
-    float* c = &light.pixels[3 * i];
-    const Rgb decoded = decode(calibration.curves.front().transfer, {c[0], c[1], c[2]});
-    for (std::size_t k = 0; k < 3; ++k) c[k] = static_cast<float>(std::min(decoded[k], 2.0));
-  }
-  calibration.filterWidth = filterWidthOf(light, places);
+  fitCurves(values, places, calibration);
+  const CurveFit& best = calibration.curves.front();
+  const Encoding encoding =
+      best.error > kMostCurveError && calibration.fitted ? Encoding(*calibration.fitted) : Encoding(best.transfer);
+  base::Image light = toLight(values, encoding);
+  for (float& value : light.pixels) value = std::min(value, 2.f);
+  calibration.filterWidth = measureFilter(light, places);
   calibration.environment = findTurn(light, places);
   return calibration;
+}
+
+std::string describeFit(const Calibration& calibration) {
+  if (!calibration.fitted) return "Its greys do not grow from left to right: no curve can be read from them";
+  if (calibration.mixing > kMostMixing)
+    return fmt::format("It mixes channels: by the curve of its greys, colours are {:.2f} of light away. Write linear "
+                       "pictures (.exr)",
+                       calibration.mixing);
+  return fmt::format("transfer = \"{}\" reads it from the ramp; colours are then within {:.3f} of light", kFitted,
+                     calibration.mixing);
 }
 
 std::vector<std::string> describe(const Calibration& calibration) {
@@ -332,13 +227,12 @@ std::vector<std::string> describe(const Calibration& calibration) {
     return lines;
   }
   const CurveFit &best = calibration.curves[0], &next = calibration.curves[1];
-  const auto name = [](const CurveFit& fit) { return kTransferNames[static_cast<std::size_t>(fit.transfer)]; };
-  if (best.error > kMostCurveError)
-    lines.push_back(fmt::format("curve        none of the known ones; the nearest is {} ({:.1f} of 255 away)",
-                                name(best), best.error));
+  if (best.error <= kMostCurveError)
+    lines.push_back(fmt::format("curve        {} ({:.2f} of 255 away; the next, {}, {:.1f})", nameOf(best.transfer),
+                                best.error, nameOf(next.transfer), next.error));
   else
-    lines.push_back(fmt::format("curve        {} ({:.2f} of 255 away; the next, {}, {:.1f})", name(best), best.error,
-                                name(next), next.error));
+    lines.push_back(fmt::format("curve        none of the known ones; the nearest is {} ({:.1f} of 255 away). {}",
+                                nameOf(best.transfer), best.error, describeFit(calibration)));
   lines.push_back(calibration.filterWidth == 0
                       ? "filter       none: one sample at the middle of a pixel"
                       : fmt::format("filter       as wide as a box of {:.2f} pixels", calibration.filterWidth));

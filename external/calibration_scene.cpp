@@ -115,7 +115,8 @@ const std::array<Mark, 8>& marks() {
   return kMarks;
 }
 
-double rampValue(std::size_t step) { return std::pow(static_cast<double>(step) / (kRampSteps - 1), 2.2); }
+double rampLight(double part) { return std::pow(part, 2.2); }
+double rampValue(std::size_t step) { return rampLight(static_cast<double>(step) / (kRampSteps - 1)); }
 
 glm::dvec2 rampPlace(std::size_t step) {
   return {(static_cast<double>(step) - 0.5 * (kRampSteps - 1)) * 2 * kRampHalf, 0.615};

@@ -18,13 +18,16 @@ struct Mark {
   glm::dvec2 at;
   glm::dvec3 color; // linear
 };
+// The same in pixels from the picture's middle, y down. size: pixels of a side.
+inline glm::dvec2 pixelOf(const glm::dvec2& at, int size) { return glm::dvec2(at.x, -at.y) * (0.5 * size); }
 inline constexpr double kMarkRadius = 0.06;
 // Discs around the picture. The corners have colours of their own: they tell a turned or mirrored picture.
 const std::array<Mark, 8>& marks();
 
 // Patches of grey, from left to right.
 inline constexpr std::size_t kRampSteps = 17;
-double rampValue(std::size_t step); // linear
+double rampLight(double part); // linear light of a part of the ramp, from 0 at its left to 1: steps that look even
+double rampValue(std::size_t step);
 glm::dvec2 rampPlace(std::size_t step);
 inline constexpr double kRampHalf = 0.04, kRampHalfHeight = 0.065; // of a patch
 

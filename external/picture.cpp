@@ -23,7 +23,8 @@ bool isRec709(const std::array<float, 8>& given) {
   return std::ranges::equal(given, kRec709, [](float a, float b) { return std::abs(a - b) < 0.002f; });
 }
 
-void requireWhole(const std::filesystem::path& file, const base::ImageFile& read, int width, int height) {
+// A whole upright picture in colour.
+void requireWhole(const std::filesystem::path& file, const base::ImageFile& read) {
   const base::ImageInfo& info = read.info;
   if (info.images > 1) refuse(file, "holds several pictures; one is needed");
   if (info.isCubeMap) refuse(file, "is a cube map");
@@ -31,16 +32,14 @@ void requireWhole(const std::filesystem::path& file, const base::ImageFile& read
   if (info.fullWidth > 0 && (info.x != info.fullX || info.y != info.fullY || info.fullWidth != read.pixels.width ||
                              info.fullHeight != read.pixels.height))
     refuse(file, "holds a part of a picture only (its data window is not its display window)");
-  if (read.pixels.width != width || read.pixels.height != height)
-    refuse(file,
-           fmt::format("is {} x {} pixels; the view is {} x {}", read.pixels.width, read.pixels.height, width, height));
+  if (read.pixels.channels < 3) refuse(file, "is grey; a picture in colour is needed");
 }
 
 } // namespace
 
-base::Image toLight(const base::Image& rgb, Transfer transfer) {
+base::Image toLight(const base::Image& rgb, const Encoding& encoding) {
   base::Image light = rgb;
-  if (transfer == Transfer::linear) return light;
+  if (encoding.isLinear()) return light;
   base::parallelFor(rgb.pixelCount(), 4096, [&](std::size_t begin, std::size_t end) {
     const float* last = nullptr; // neighbours are often alike
     for (std::size_t i = begin; i < end; ++i) {
@@ -49,7 +48,7 @@ base::Image toLight(const base::Image& rgb, Transfer transfer) {
       if (last && std::equal(from, from + 3, last)) {
         std::copy_n(to - 3, 3, to);
       } else {
-        const Rgb decoded = decode(transfer, {from[0], from[1], from[2]});
+        const Rgb decoded = encoding.decode({from[0], from[1], from[2]});
         for (std::size_t c = 0; c < 3; ++c) to[c] = static_cast<float>(decoded[c]);
       }
       last = from;
@@ -60,24 +59,26 @@ base::Image toLight(const base::Image& rgb, Transfer transfer) {
 
 base::Image readValues(const std::filesystem::path& file) {
   const base::ImageFile read = base::readImageFile(file);
-  if (read.pixels.channels < 3) refuse(file, "is grey; a picture in colour is needed");
+  requireWhole(file, read);
   base::Image values(read.pixels.width, read.pixels.height, 3);
   for (std::size_t i = 0; i < values.pixelCount(); ++i)
     std::copy_n(&read.pixels.pixels[static_cast<std::size_t>(read.pixels.channels) * i], 3, &values.pixels[3 * i]);
+  if (!std::ranges::all_of(values.pixels, [](float v) { return std::isfinite(v); }))
+    refuse(file, "has values that are not finite");
   return values;
 }
 
-Picture readPicture(const std::filesystem::path& file, int width, int height, Transfer transfer) {
+Picture readPicture(const std::filesystem::path& file, int width, int height, const Encoding& encoding) {
   const base::ImageFile read = base::readImageFile(file);
   const base::ImageInfo& info = read.info;
-  requireWhole(file, read, width, height);
-  if (read.pixels.channels < 3) refuse(file, "is grey; a picture in colour is needed");
-  if (!info.integer && transfer != Transfer::linear)
-    refuse(file, fmt::format("holds floats, which are linear light; its transfer is '{}'",
-                             kTransferNames[static_cast<std::size_t>(transfer)]));
-  if (info.declaredLinear && info.integer && transfer != Transfer::linear)
-    refuse(file, fmt::format("says that its values are linear; its transfer is '{}'",
-                             kTransferNames[static_cast<std::size_t>(transfer)]));
+  if (read.pixels.width != width || read.pixels.height != height)
+    refuse(file,
+           fmt::format("is {} x {} pixels; the view is {} x {}", read.pixels.width, read.pixels.height, width, height));
+  requireWhole(file, read);
+  if (!info.integer && !encoding.isLinear())
+    refuse(file, fmt::format("holds floats, which are linear light; its transfer is '{}'", encoding.name()));
+  if (info.declaredLinear && info.integer && !encoding.isLinear())
+    refuse(file, fmt::format("says that its values are linear; its transfer is '{}'", encoding.name()));
   if (info.chromaticities && !isRec709(*info.chromaticities)) refuse(file, "has other primaries than Rec.709");
 
   Picture picture;
@@ -90,9 +91,9 @@ Picture readPicture(const std::filesystem::path& file, int width, int height, Tr
     const float* from = &read.pixels.pixels[channels * i];
     std::copy_n(from, 3, &rgb.pixels[3 * i]);
     if (hasAlpha) picture.alpha.pixels[i] = from[info.alphaChannel];
-    picture.clipped[i] = std::any_of(from, from + 3, [&](float v) { return isClipped(transfer, v); });
+    picture.clipped[i] = encoding.isClipped({from[0], from[1], from[2]});
   }
-  picture.light = toLight(rgb, transfer);
+  picture.light = toLight(rgb, encoding);
   return picture;
 }
 

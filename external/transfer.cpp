@@ -150,14 +150,12 @@ Rgb decode(Transfer transfer, const Rgb& value) {
   return value;
 }
 
-bool isClipped(Transfer transfer, double value) { return transfer != Transfer::linear && (value <= 0 || value >= 1); }
+const char* nameOf(Transfer transfer) { return kTransferNames[static_cast<std::size_t>(transfer)]; }
 
-const Transfer* findTransfer(std::string_view name) {
-  static constexpr std::array<Transfer, kTransferNames.size()> kAll = {
-      Transfer::srgb, Transfer::linear,  Transfer::gamma22, Transfer::acesThree,
-      Transfer::agx,  Transfer::neutral, Transfer::reinhard};
+std::optional<Transfer> findTransfer(std::string_view name) {
   const auto found = std::ranges::find(kTransferNames, name);
-  return found == kTransferNames.end() ? nullptr : &kAll[static_cast<std::size_t>(found - kTransferNames.begin())];
+  if (found == kTransferNames.end()) return std::nullopt;
+  return static_cast<Transfer>(found - kTransferNames.begin());
 }
 
 } // namespace parity::external

@@ -2,9 +2,8 @@
 #pragma once
 
 #include <array>
-#include <string>
+#include <optional>
 #include <string_view>
-#include <vector>
 
 namespace parity::external {
 
@@ -24,10 +23,8 @@ Rgb encode(Transfer transfer, const Rgb& linear); // clipped to [0, 1], except l
 // black that gives them.
 Rgb decode(Transfer transfer, const Rgb& value);
 
-// Whether a channel tells no more than "at least this much light".
-bool isClipped(Transfer transfer, double value);
-
+const char* nameOf(Transfer transfer);
 // By its name; nothing where there is none: see kTransferNames.
-const Transfer* findTransfer(std::string_view name);
+std::optional<Transfer> findTransfer(std::string_view name);
 
 } // namespace parity::external

@@ -42,12 +42,13 @@ std::vector<Course> chosenCourses(const Database& index, const std::vector<LaneS
 
 // Of a run, and of a scene in it: what the index has of the lane up to that run.
 std::vector<std::string> inputsAt(const Database& index, std::int64_t run, std::int64_t scene) {
-  std::vector<std::string> values(4);
+  constexpr int kOfScene = 5;
+  std::vector<std::string> values(kOfScene);
   Statement input =
-      index.prepare("SELECT asset, environment, request, bake FROM input WHERE lane=(SELECT lane FROM run "
+      index.prepare("SELECT asset, environment, request, bake, pictures FROM input WHERE lane=(SELECT lane FROM run "
                     "WHERE id=?1) AND scene=?2 AND first_run<=?1 ORDER BY first_run DESC LIMIT 1");
   if (input.bind(run, scene).step())
-    for (int i = 0; i < 4; ++i) values[static_cast<std::size_t>(i)] = input.text(i);
+    for (int i = 0; i < kOfScene; ++i) values[static_cast<std::size_t>(i)] = input.text(i);
   Statement makers =
       index.prepare("SELECT build, device, driver, numerics, settings, version, budgets, machine FROM run WHERE id=?");
   const bool isThere = makers.bind(run).step();
@@ -55,9 +56,9 @@ std::vector<std::string> inputsAt(const Database& index, std::int64_t run, std::
   return values;
 }
 
-constexpr const char* kInputNames[] = {"asset",  "environment", "request",  "bake",    "build",   "device",
-                                       "driver", "numerics",    "settings", "version", "budgets", "machine"};
-constexpr std::size_t kDeciding = 9; // the first ones decide figures
+constexpr const char* kInputNames[] = {"asset",  "environment", "request",  "bake",    "pictures", "build",  "device",
+                                       "driver", "numerics",    "settings", "version", "budgets",  "machine"};
+constexpr std::size_t kDeciding = 10; // the first ones decide figures
 
 void findInputs(const Database& index, Blame& blame) {
   const std::vector<std::string> before = inputsAt(index, blame.before.id, blame.subject.sceneId),

@@ -16,6 +16,7 @@ std::string causesOf(const Makers& beforeRun, const report::SceneInputs& before,
   hold("environment", before.environment, now.environment);
   hold("request", before.request, now.request);
   hold("bake", before.bake, now.bake);
+  hold("pictures", before.pictures, now.pictures);
   hold("build", beforeRun.build, nowRun.build);
   hold("device", beforeRun.device, nowRun.device);
   hold("driver", beforeRun.driver, nowRun.driver);

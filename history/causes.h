@@ -13,8 +13,9 @@ struct Makers {
   std::string build, device, driver, numerics, settings, budgets, machine;
 };
 
-// Names of what differs and decides figures, joined by ",": of asset, environment, request, bake, build, device,
-// driver, numerics, settings. Empty: nothing that is known. An input that is empty on one side counts as different.
+// Names of what differs and decides figures, joined by ",": of asset, environment, request, bake, pictures, build,
+// device, driver, numerics, settings. Empty: nothing that is known. An input that is empty on one side counts as
+// different.
 std::string causesOf(const Makers& beforeRun, const report::SceneInputs& before, const Makers& nowRun,
                      const report::SceneInputs& now);
 

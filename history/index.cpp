@@ -29,7 +29,7 @@ Index::Index(const Database& database)
           "UPDATE value SET last_run=? WHERE lane=? AND subject=? AND metric=? AND first_run=? AND last_run IS NULL")),
       m_insertState(database.prepare("INSERT INTO state VALUES(?,?,?,NULL,?,?,?,?,?,?)")),
       m_closeState(database.prepare("UPDATE state SET last_run=? WHERE lane=? AND subject=? AND first_run=?")),
-      m_insertInput(database.prepare("INSERT INTO input VALUES(?,?,?,?,?,?,?,?)")),
+      m_insertInput(database.prepare("INSERT INTO input VALUES(?,?,?,?,?,?,?,?,?)")),
       m_extendInput(database.prepare("UPDATE input SET last_run=? WHERE lane=? AND scene=? AND first_run=?")),
       m_insertEvent(database.prepare("INSERT INTO event VALUES(NULL,?,?,?,?,?,?,?,?)")),
       m_insertTiming(database.prepare("INSERT OR IGNORE INTO timing VALUES(?,?,?,?,?,?,?)")),
@@ -100,12 +100,13 @@ Index::Lane Index::read(std::int64_t id) const {
     row->values.push_back({values.integer(1), values.integer(2), values.real(3)});
   }
   Statement inputs =
-      m_database.prepare("SELECT scene, first_run, last_run, asset, environment, request, bake FROM input "
+      m_database.prepare("SELECT scene, first_run, last_run, asset, environment, request, bake, pictures FROM input "
                          "WHERE lane=? ORDER BY scene, first_run");
   inputs.bind(id);
   while (inputs.step())
-    lane.scenes[inputs.integer(0)] = {
-        {inputs.text(3), inputs.text(4), inputs.text(5), inputs.text(6)}, inputs.integer(1), inputs.integer(2)};
+    lane.scenes[inputs.integer(0)] = {{inputs.text(3), inputs.text(4), inputs.text(5), inputs.text(6), inputs.text(7)},
+                                      inputs.integer(1),
+                                      inputs.integer(2)};
   return lane;
 }
 

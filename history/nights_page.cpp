@@ -83,10 +83,11 @@ void writeNight(base::JsonWriter& json, const Database& index, const Night& nigh
 std::vector<SubjectRef> changedRows(const Database& index, const Where& where, const std::vector<std::int64_t>& runs) {
   Statement all = index.prepare(
       "SELECT s.id, s.scene, s.view, s.material, s.ordinal, c.id FROM (SELECT subject, max(run) AS last FROM event "
-      "WHERE "
-      "run>=? GROUP BY subject) JOIN subject AS s ON s.id=subject JOIN subject AS c ON c.suite=s.suite AND "
+      "JOIN run ON run.id=event.run WHERE run>=? AND branch=? GROUP BY subject) JOIN subject AS s ON s.id=subject JOIN "
+      "subject AS c ON c.suite=s.suite AND "
       "c.scene=s.scene AND c.ordinal=-2 WHERE s.suite=? AND s.ordinal!=-2 ORDER BY last DESC, s.id LIMIT ?");
-  all.bind(runs.empty() ? std::int64_t{0} : runs.front(), where.suite.value_or(""), kMostRows);
+  all.bind(runs.empty() ? std::int64_t{0} : runs.front(), where.branch.value_or(""), where.suite.value_or(""),
+           kMostRows);
   std::vector<SubjectRef> rows;
   while (all.step())
     rows.push_back({all.integer(0), all.integer(5), where.suite.value_or(""), all.text(1), all.text(2), all.text(3),

@@ -116,10 +116,16 @@ Collected collectPictures(const Database& index, const fs::path& history, const 
                           const compare::Approvals& approvals, bool isTrial) {
   std::set<std::string> used = hashesInUse(index, history, since);
   ApprovedStates states(index, history);
-  for (const compare::Approval& each : approvals.entries)
-    for (const ApprovedState& state : states.find(
-             {each.scene, each.view, each.material, each.material.empty() ? kWhole : 0}, each.metric, each.value))
-      addHashes(used, state.pictures);
+  Statement namesakes = index.prepare("SELECT DISTINCT ordinal FROM subject WHERE scene=? AND view=? AND material=?");
+  for (const compare::Approval& each : approvals.entries) {
+    std::vector<int> ordinals; // an approval is of all of a name
+    namesakes.bind(each.scene, each.view, each.material);
+    while (namesakes.step()) ordinals.push_back(static_cast<int>(namesakes.integer(0)));
+    for (const int ordinal : ordinals)
+      for (const ApprovedState& state :
+           states.find({each.scene, each.view, each.material, ordinal}, each.metric, each.value))
+        addHashes(used, state.pictures);
+  }
   Collected collected;
   std::error_code error;
   const fs::path folder = history / kFolder;

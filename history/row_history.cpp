@@ -34,11 +34,12 @@ RowHistory::RowHistory(const Database& index, const RunsBefore& before) : m_isEm
       m_rows[{failing.text(1), failing.text(2), failing.text(3), static_cast<int>(failing.integer(4))}].nights =
           static_cast<std::size_t>(runs.end() - std::ranges::lower_bound(runs, *since));
   Statement alarms = index.prepare(
-      "SELECT DISTINCT scene, view, material, ordinal FROM event JOIN subject ON subject.id=event.subject WHERE "
+      "SELECT DISTINCT scene, view, material, ordinal, run FROM event JOIN subject ON subject.id=event.subject WHERE "
       "suite=? AND kind IN ('nondeterministic','crashed') AND run BETWEEN ? AND ?");
   alarms.bind(before.suite, runs[runs.size() - std::min(runs.size(), kFlakyRuns)], runs.back());
   while (alarms.step())
-    m_rows[{alarms.text(0), alarms.text(1), alarms.text(2), static_cast<int>(alarms.integer(3))}].isFlaky = true;
+    if (std::ranges::binary_search(runs, alarms.integer(4))) // runs of other branches lie between them
+      m_rows[{alarms.text(0), alarms.text(1), alarms.text(2), static_cast<int>(alarms.integer(3))}].isFlaky = true;
 }
 
 const RowHistory::Known& RowHistory::find(const RowName& name) const {

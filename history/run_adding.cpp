@@ -182,11 +182,12 @@ void Index::Adding::addInputs(std::int64_t sceneId, const report::SceneInputs& i
   const report::SceneInputs& old = scene.inputs;
   const bool isSameAsBefore = scene.firstRun != 0 && old.asset == inputs.asset &&
                               old.environment == inputs.environment && old.request == inputs.request &&
-                              old.bake == inputs.bake;
+                              old.bake == inputs.bake && old.pictures == inputs.pictures;
   scene.previousRun = std::exchange(scene.lastRun, run);
   if (isSameAsBefore) return index.m_extendInput.run(run, now->id, sceneId, scene.firstRun);
   scene.inputs = inputs, scene.firstRun = run;
-  index.m_insertInput.run(now->id, sceneId, run, run, inputs.asset, inputs.environment, inputs.request, inputs.bake);
+  index.m_insertInput.run(now->id, sceneId, run, run, inputs.asset, inputs.environment, inputs.request, inputs.bake,
+                          inputs.pictures);
 }
 
 void Index::Adding::addNewAndGone() {

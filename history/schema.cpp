@@ -36,8 +36,8 @@ CREATE TABLE state(lane INTEGER, subject INTEGER, first_run INTEGER, last_run IN
   PRIMARY KEY(lane, subject, first_run)) WITHOUT ROWID;
 CREATE INDEX state_now ON state(lane, subject, first_run, verdict, rule) WHERE last_run IS NULL;
 CREATE TABLE input(lane INTEGER, scene INTEGER, first_run INTEGER, last_run INTEGER, asset TEXT NOT NULL,
-  environment TEXT NOT NULL, request TEXT NOT NULL, bake TEXT NOT NULL, PRIMARY KEY(lane, scene, first_run))
-  WITHOUT ROWID;
+  environment TEXT NOT NULL, request TEXT NOT NULL, bake TEXT NOT NULL, pictures TEXT NOT NULL,
+  PRIMARY KEY(lane, scene, first_run)) WITHOUT ROWID;
 CREATE TABLE timing(run INTEGER, scene INTEGER, stage TEXT NOT NULL, cpu_ms REAL, wall_ms REAL, cached INTEGER NOT NULL,
   machine TEXT, PRIMARY KEY(run, scene, stage)) WITHOUT ROWID;
 CREATE TABLE event(id INTEGER PRIMARY KEY, run INTEGER NOT NULL, subject INTEGER NOT NULL, kind TEXT NOT NULL,

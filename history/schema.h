@@ -6,7 +6,7 @@
 namespace parity::history {
 
 // The version of the tables: an index of another one is made again.
-inline constexpr int kIndexSchema = 2;
+inline constexpr int kIndexSchema = 3;
 
 // Makes the tables in an empty database.
 void createTables(const Database& database);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -12,6 +14,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/image/image_io.h"
+#include "base/log.h"
 #include "base/text/json_writer.h"
 #include "base/version.h"
 #include "external/calibration_scene.h"
@@ -28,6 +31,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char *kScene = "scene.glb", *kEnvironment = "environment.hdr", // in each scene's folder
+                                                *kCalibrationScene = "calibration.glb",
+                     *kCalibrationMap = "calibration.hdr";
+
 void writeNumbers(base::JsonWriter& json, const float* values, int count) {
   json.beginArray();
   for (int i = 0; i < count; ++i) json.number(values[i]);
@@ -39,9 +46,9 @@ void writeVector(base::JsonWriter& json, const glm::vec3& v) { writeNumbers(json
 base::Image turned(const scenes::Environment& environment) {
   const base::Image& from = environment.radiance;
   base::Image out(from.width, from.height, 3);
-  const double shift = environment.rotationDeg / 360 * from.width;
+  const double shift = environment.rotationDeg / 360 * from.width; // as lighting::panoramaAzimuth has it
   for (int x = 0; x < from.width; ++x) {
-    const double at = x - shift, floor = std::floor(at);
+    const double at = x + shift, floor = std::floor(at);
     const auto share = static_cast<float>(at - floor);
     const auto column = [&](double c) {
       const auto n = static_cast<long long>(c) % from.width;
@@ -85,6 +92,10 @@ void writeLights(base::JsonWriter& json, const std::vector<scenes::Light>& light
     writeVector(json.key("position"), light.position);
     writeVector(json.key("direction"), light.direction);
     json.key("range").number(light.range);
+    json.key("falloff").text(light.falloff == scenes::Falloff::exponent
+                                 ? "exponent"
+                                 : scenes::falloffNames().at(static_cast<std::size_t>(light.falloff)));
+    json.key("falloffExponent").number(light.falloffExponent);
     json.key("innerConeAngle").number(light.innerConeAngle);
     json.key("outerConeAngle").number(light.outerConeAngle);
     json.endObject();
@@ -96,6 +107,7 @@ void writeLights(base::JsonWriter& json, const std::vector<scenes::Light>& light
 struct Shot {
   std::string name, picture;
   int width = 0, height = 0, samples = 1;
+  double filterWidth = 1;
   glm::vec3 background{0.f};
   float exposureEv = 0;
   std::string ids, linear; // relative to the contract; empty: none
@@ -108,6 +120,7 @@ void writeView(base::JsonWriter& json, const Shot& shot, const scenes::Camera& c
   json.key("width").integer(shot.width);
   json.key("height").integer(shot.height);
   json.key("samples").integer(shot.samples);
+  json.key("filterWidth").number(shot.filterWidth);
   writeVector(json.key("background"), shot.background);
   json.key("exposureEv").number(shot.exposureEv);
   json.key("transfer").text("srgb");
@@ -128,9 +141,10 @@ class ContractWriter {
 public:
   ContractWriter(Context& context, fs::path folder) : m_context(context), m_folder(std::move(folder)) {}
 
-  void writeScene(base::JsonWriter& json, const SceneRequest& request, std::size_t index, const Progress& progress) {
+  void writeScene(base::JsonWriter& json, SceneRequest request, std::size_t index, const Progress& progress) {
     const std::string own = std::to_string(index);
     makeFolder(m_folder / own);
+    request.settings.scene.load.allMaterials = true;                       // an exported file has the textures of all
     const PathChoice light{.chosen = {allPaths().front()}, .bakes = true}; // keeps the panorama
     const PreparedScene lit = prepareScene(m_context, request, light);
     json.beginObject();
@@ -138,7 +152,7 @@ public:
     json.key("scene").text(sceneFile(request, lit.scene, own));
     std::string environment;
     if (lit.panorama) {
-      environment = own + "/environment.hdr";
+      environment = fmt::format("{}/{}", own, kEnvironment);
       base::writeImage(m_folder / environment, turned(*lit.panorama));
     }
     writeEnvironment(json.key("environment"), environment);
@@ -150,12 +164,12 @@ public:
   // With as many samples as the scenes' pictures, so that it shows the same filter.
   void writeCalibration(base::JsonWriter& json) const {
     const std::vector<std::byte> glb = scenes::toGlb(external::calibrationScene());
-    base::writeBytes(m_folder / "calibration.glb", glb);
-    base::writeImage(m_folder / "calibration.hdr", external::calibrationEnvironment().radiance);
+    base::writeBytes(m_folder / kCalibrationScene, glb);
+    base::writeImage(m_folder / kCalibrationMap, external::calibrationEnvironment().radiance);
     json.beginObject();
     json.key("name").text("calibration");
-    json.key("scene").text("calibration.glb");
-    writeEnvironment(json.key("environment"), "calibration.hdr");
+    json.key("scene").text(kCalibrationScene);
+    writeEnvironment(json.key("environment"), kCalibrationMap);
     writeLights(json.key("lights"), {});
     json.key("views").beginArray();
     constexpr int kSize = external::kCalibrationSize;
@@ -165,6 +179,7 @@ public:
                .width = kSize,
                .height = kSize,
                .samples = m_samples,
+               .filterWidth = m_filterWidth,
                .ids = {},
                .linear = {}},
               external::calibrationCamera());
@@ -179,10 +194,24 @@ private:
     if (error) throw base::fileError(folder.string(), "", "cannot be created as a folder: " + error.message());
   }
 
+  // Whether the scene's file alone does not say what is shown. A pose is chosen wherever there is an animation.
+  static bool isShownOtherwise(const SceneRequest& request, const scenes::Scene& scene) {
+    const scenes::SceneSettings& settings = request.settings.scene;
+    const scenes::LoadOptions& load = settings.load;
+    return scenes::isBuiltin(request.scene) || settings.subject != scenes::Subject::scene ||
+           !scene.facts.animations.empty() || !load.scene.empty() || !load.variant.empty();
+  }
+
   std::string sceneFile(const SceneRequest& request, const scenes::Scene& scene, const std::string& own) const {
-    if (scenes::isBuiltin(request.scene)) {
-      base::writeBytes(m_folder / own / "scene.glb", scenes::toGlb(scene));
-      return own + "/scene.glb";
+    if (isShownOtherwise(request, scene)) {
+      for (const std::string& line : scenes::listNotInGltf(scene))
+        base::logWarning(fmt::format("{}: {}", request.name, line));
+      for (const scenes::Material& material : scene.materials)
+        if (!material.notModelled.empty())
+          base::logWarning(fmt::format("{}: material '{}' is exported without {}", request.name, material.name,
+                                       fmt::join(material.notModelled, ", ")));
+      base::writeBytes(m_folder / own / kScene, scenes::toGlb(scene));
+      return fmt::format("{}/{}", own, kScene);
     }
     return fs::relative(fs::absolute(request.scene), fs::absolute(m_folder)).generic_string();
   }
@@ -196,7 +225,7 @@ private:
     SceneRenderer renderer(m_context, prepared, prepared.settings, paths, wanted.views.size(), {},
                            imageRelease(prepared, paths));
     const Settings& settings = prepared.settings;
-    m_samples = std::max(m_samples, settings.samples);
+    m_samples = std::max(m_samples, settings.samples), m_filterWidth = settings.filterWidth;
     json.beginArray();
     for (std::size_t v = 0; v < wanted.views.size(); ++v) {
       const std::string& name = wanted.views[v].name;
@@ -206,14 +235,19 @@ private:
       const scenes::Camera camera = scenes::makeCamera(prepared.scene, wanted.views[v], aspect);
       const ViewFrames frames = renderer.render(camera);
       const std::string prefix = fmt::format("{}/{}", own, v);
+      const std::string picture = pictureFileOf("{scene}-{view}.png", request.name, name);
+      if (!m_pictures.insert(picture).second)
+        throw base::Error(base::ExitCode::usage, fmt::format("scene '{}', view '{}'", request.name, name), "",
+                          fmt::format("another view's picture is called {}, too: name one of them otherwise", picture));
       writeMaterialIds(m_folder / (prefix + "-ids.exr"), frames.coverage, settings.width, settings.height);
       base::writeImage(m_folder / (prefix + "-linear.exr"), frames.first().frame.color);
       writeView(json,
                 {.name = name,
-                 .picture = pictureFileOf("{scene}-{view}.png", request.name, name),
+                 .picture = picture,
                  .width = settings.width,
                  .height = settings.height,
                  .samples = settings.samples,
+                 .filterWidth = settings.filterWidth,
                  .background = settings.background,
                  .exposureEv = settings.exposureEv,
                  .ids = prefix + "-ids.exr",
@@ -225,10 +259,19 @@ private:
 
   Context& m_context;
   const fs::path m_folder;
-  int m_samples = 1; // the most that a scene has
+  int m_samples = 1;        // the most that a scene has
+  double m_filterWidth = 1; // of the last one
+  std::set<std::string> m_pictures{"calibration.png"};
 };
 
 } // namespace
+
+std::vector<std::string> contractFiles(std::size_t scenes) {
+  std::vector<std::string> files = {kContractFile, kCalibrationScene, kCalibrationMap};
+  for (std::size_t i = 0; i < scenes; ++i)
+    for (const char* file : {kScene, kEnvironment}) files.push_back(fmt::format("{}/{}", i, file));
+  return files;
+}
 
 void writeContract(Context& context, const std::vector<SceneRequest>& scenes, const fs::path& folder,
                    const Progress& progress) {

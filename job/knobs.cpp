@@ -23,7 +23,7 @@ static_assert(base::memberCount<gpu::ShadowOptions>() == 3 && base::memberCount<
                   base::memberCount<reference::IntegralOptions>() == 4 && base::memberCount<reference::Model>() == 2,
               "a new member needs a row");
 // Without a row: budgets, which judge afterwards, and what is of the machine: device, cacheFolder, cacheBytes.
-static_assert(base::memberCount<S>() == 26, "a new member needs a row, or a reason to have none");
+static_assert(base::memberCount<S>() == 27, "a new member needs a row, or a reason to have none");
 
 constexpr int kMaxInterreflection = 64;
 
@@ -64,6 +64,8 @@ void addPicture(KnobTable<S>& t) {
      return fmt::format("{}x{}", s.width, s.height);
    }).notInSuite();
   t.whole<&S::samples>("samples", 1, 64, "Samples per pixel").notInSuite();
+  t.number<&S::filterWidth>("filter-width", 0.25, 2.5,
+                            "Width of the box over which the samples of a pixel lie, pixels");
   t.number<&S::exposureEv>("exposure", -32, 32, "Exposure, EV").inWords([](const S& s) {
     return fmt::format("{} EV", s.exposureEv);
   });

@@ -36,7 +36,8 @@ struct WhatIfPreset {
 struct Settings {
   scenes::SceneSettings scene;
   int width = 1024, height = 1024;
-  int samples = 1; // per pixel, 1..64
+  int samples = 1;       // per pixel, 1..64
+  float filterWidth = 1; // pixels of the box over which they lie
   float exposureEv = 0;
   std::string display = "sRGB";                                 // base::DisplayTransform::names()
   glm::vec3 background{0.18f};                                  // linear Rec.709, the same in every path

@@ -95,7 +95,9 @@ const compare::AppliedApproval* endingOf(const compare::CheckResult& check) {
 std::string approvedInputs(const std::optional<SceneInputs>& inputs) {
   if (!inputs) return {};
   base::Hasher hasher;
-  return hasher.add(inputs->asset).add(inputs->environment).hex().substr(0, compare::kInputDigits);
+  hasher.add(inputs->asset).add(inputs->environment);
+  if (!inputs->pictures.empty()) hasher.add(inputs->pictures);
+  return hasher.hex().substr(0, compare::kInputDigits);
 }
 
 void applyApprovals(Report& report, const compare::Approvals& approvals, base::Day asOf, EntriesFor entriesFor) {

@@ -116,6 +116,7 @@ struct SceneInputs {
   std::string environment; // empty: none
   std::string request;     // what is asked of the scene otherwise than of the run, and its views
   std::string bake;        // its baked light; empty: none
+  std::string pictures{};  // of other engines; empty: none
 };
 
 struct SceneResult {

@@ -12,13 +12,14 @@ std::vector<Tile> makeTiles(std::uint32_t width, std::uint32_t height) {
   return tiles;
 }
 
-std::vector<glm::vec2> samplePositions(int count) {
+std::vector<glm::vec2> samplePositions(int count, float width) {
   std::vector<glm::vec2> positions;
   const double half = 0.5 / count;
   for (int i = 0; i < count; ++i) {
     double radicalInverse = 0, digit = 0.5;
     for (int bits = i; bits > 0; bits >>= 1, digit /= 2) radicalInverse += digit * (bits & 1);
     positions.emplace_back(i * 2 * half + half, std::fmod(radicalInverse + half, 1.0));
+    if (width != 1) positions.back() = 0.5f + width * (positions.back() - 0.5f);
   }
   return positions;
 }

@@ -19,9 +19,9 @@ struct Tile {
 inline constexpr std::uint32_t kMaxTilePixels = 1u << 20;
 std::vector<Tile> makeTiles(std::uint32_t width, std::uint32_t height);
 
-// Sample positions in a pixel, count >= 1, [0,1)^2: Hammersley points, each in the middle of its stratum; the centre
-// for one sample.
-std::vector<glm::vec2> samplePositions(int count);
+// Sample positions of a pixel, count >= 1, in a square of that width in pixels around its middle, which is (0.5, 0.5):
+// Hammersley points, each in the middle of its stratum; the middle for one sample.
+std::vector<glm::vec2> samplePositions(int count, float width = 1);
 
 // The rays of a camera in a picture of this size, and what the scene says about its light (interface.h, without sh).
 GpuView makeView(const scenes::Scene& scene, const scenes::Camera& camera, std::uint32_t width, std::uint32_t height);

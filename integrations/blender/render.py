@@ -111,6 +111,8 @@ def addLight(light):
     kind = {"directional": "SUN", "point": "POINT", "spot": "SPOT"}.get(light["kind"])
     if kind is None:
         raise Refused(f"light {light['name']}: the kind {light['kind']} is not known")
+    if light.get("falloff", "khr") != "khr":
+        raise Refused(f"light {light['name']}: the falloff {light['falloff']} is not known")
     data = bpy.data.lights.new(light["name"], kind)
     intensity = max(light["color"])
     data.color = [each / intensity for each in light["color"]] if intensity > 0 else (0, 0, 0)
@@ -196,7 +198,7 @@ def setOutput(options):
     cycles = scene.cycles
     cycles.device, cycles.samples, cycles.seed = "CPU", options.samples, 0
     cycles.use_adaptive_sampling = cycles.use_denoising = False
-    cycles.pixel_filter_type, cycles.filter_width = "BOX", 1
+    cycles.pixel_filter_type = "BOX"
     # No shortcut that makes a picture darker or smoother than the truth.
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.light_sampling_threshold = cycles.blur_glossy = 0
 
@@ -222,6 +224,7 @@ def renderScene(scene, options):
             render = bpy.context.scene.render
             render.resolution_x, render.resolution_y = view["width"], view["height"]
             bpy.context.scene.view_settings.exposure = view["exposureEv"]
+            bpy.context.scene.cycles.filter_width = view.get("filterWidth", 1)
             render.filepath = picture
             if os.path.exists(picture):
                 os.remove(picture)

@@ -12,6 +12,8 @@ const kTones = {
   aces: THREE.ACESFilmicToneMapping,
   agx: THREE.AgXToneMapping,
   neutral: THREE.NeutralToneMapping,
+  cineon: THREE.CineonToneMapping,
+  reinhard: THREE.ReinhardToneMapping,
 };
 
 let renderer, scene;
@@ -61,6 +63,7 @@ export async function loadEnvironment(url) {
 
 // three.js since r155: lux for directional lights, candela for point and spot lights.
 function addLight(light) {
+  if ((light.falloff ?? "khr") !== "khr") throw new Error(`light ${light.name}: the falloff ${light.falloff} is not known`);
   const intensity = Math.max(...light.color);
   const color = new THREE.Color().setRGB(...light.color.map((each) => (intensity > 0 ? each / intensity : 0)), THREE.LinearSRGBColorSpace);
   let node;
@@ -93,11 +96,11 @@ export function drawView(view, tone) {
 }
 
 // The mean of the samples in linear light, as floats: RGBA, the bottom row first.
-function averageSamples({ camera, width, height, samples }) {
+function averageSamples({ camera, width, height, samples, filterWidth = 1 }) {
   const target = new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType, samples: 0 });
   const one = new Float32Array(4 * width * height);
   const sum = new Float32Array(4 * width * height);
-  for (const [x, y] of samplePositions(samples)) {
+  for (const [x, y] of samplePositions(samples, filterWidth)) {
     renderer.setRenderTarget(target);
     renderer.render(scene, makeCamera(camera, 1 - 2 * x, 2 * y - 1, width, height));
     renderer.readRenderTargetPixels(target, 0, 0, width, height, one);
@@ -110,14 +113,14 @@ function averageSamples({ camera, width, height, samples }) {
   return sum;
 }
 
-// Places in a pixel, [0,1)^2 from its upper left corner: the centre for one sample, else Hammersley points, each in the
+// Places of a pixel, from its upper left corner, in a box of that width: the centre for one sample, else Hammersley points, each in the
 // middle of its stratum (the same as parity's own, gpu/surface/view.h).
-function samplePositions(count) {
+function samplePositions(count, filterWidth) {
   const half = 0.5 / count;
   return Array.from({ length: count }, (_, i) => {
     let radicalInverse = 0;
     for (let bits = i, digit = 0.5; bits > 0; bits >>= 1, digit /= 2) radicalInverse += digit * (bits & 1);
-    return [2 * half * i + half, (radicalInverse + half) % 1];
+    return [2 * half * i + half, (radicalInverse + half) % 1].map((each) => 0.5 + filterWidth * (each - 0.5));
   });
 }
 

@@ -8,7 +8,7 @@ import { chromium } from "playwright-core";
 
 import { encodePng } from "./png.mjs";
 
-const kUsage = `usage: render.mjs CONTRACT SHOTS [--scene NAME] [--tone none|aces|agx|neutral]
+const kUsage = `usage: render.mjs CONTRACT SHOTS [--scene NAME] [--tone none|aces|agx|neutral|cineon|reinhard]
   CONTRACT      the folder that 'parity contract' wrote
   SHOTS         the folder for the pictures, made where it is missing
   --scene NAME  this scene only, and the calibration
@@ -37,7 +37,7 @@ function readOptions() {
       process.exit(0);
     }
     if (positionals.length !== 2) throw new Error("CONTRACT and SHOTS are needed");
-    if (!["none", "aces", "agx", "neutral"].includes(values.tone)) throw new Error(`--tone ${values.tone} is not known`);
+    if (!["none", "aces", "agx", "neutral", "cineon", "reinhard"].includes(values.tone)) throw new Error(`--tone ${values.tone} is not known`);
     return { contract: resolve(positionals[0]), shots: resolve(positionals[1]), ...values };
   } catch (error) {
     console.error(`render.mjs: ${message(error)}\n${kUsage}`);

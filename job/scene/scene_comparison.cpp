@@ -214,9 +214,8 @@ private:
     MaterialsByView attributed;
     std::uint64_t comparedPixels = 0;
     ViewFrames frames;
-    std::vector<std::string> warnings; // of pictures of other engines
-    std::optional<base::Error>
-        problem; // the first of them that cannot be used; the other rows are compared all the same
+    ExternalPictureReader pictures(
+        request); // of other engines; without one that cannot be used the others are compared
     const std::vector<Column> columns = columnsOf(request);
     forEachView(request, [&](const ViewOfPath& view) {
       const std::size_t v = view.view, row = attributed.size();
@@ -224,14 +223,11 @@ private:
         m_tell(static_cast<double>(v) / static_cast<double>(request.views.size()), request.views[v].name);
         frames = {}; // before the next one takes memory
         frames = renderView(request, v, prepared, renderer);
-        try {
-          addExternalPictures(request, v, frames, warnings, prepared.scene.sources);
-        } catch (const base::Error& error) {
-          if (!problem) problem = error;
-        }
+        pictures.addTo(frames, v);
       }
       const bool isOurs = isOfPaths(request, view);
-      if (std::max(view.test, view.reference) >= frames.paths.size()) return attributed.push_back({}); // not to be had
+      const auto isThere = [&](std::size_t column) { return !frames.paths[column].frame.color.empty(); };
+      if (!isThere(view.test) || !isThere(view.reference)) return attributed.push_back({});
       const scenes::Camera camera = cameraOf(request, v, prepared);
       m_context.requireGoesOn();
       ComparedView compared = compareOne(index, view, prepared, renderer, frames, wish);
@@ -270,10 +266,11 @@ private:
       keepPictures(std::move(termPictures), scene, key ? &addedPictures : nullptr);
       result.views.push_back(std::move(compared.view));
     });
-    scene.inputs = prepared.scene.sources; // with the pictures
+    scene.inputs = prepared.scene.sources;
+    scene.inputs.insert(scene.inputs.end(), pictures.sources().begin(), pictures.sources().end());
     for (std::string& warning : renderer.warnings()) result.warnings.push_back(std::move(warning));
-    for (std::string& warning : warnings) result.warnings.push_back(std::move(warning));
-    if (problem) throw base::Error(*problem);
+    for (std::string& warning : pictures.warnings()) result.warnings.push_back(std::move(warning));
+    if (pictures.problem()) throw base::Error(*pictures.problem());
     result.permutations = renderer.permutations();
     const auto passesOf = [&](Work work) {
       work.comparedPixels = comparedPixels;
@@ -288,9 +285,9 @@ private:
     SceneRecord plain{result, prefixesOf(request, index), std::move(plainPictures)};
     plain.result.views = std::move(plainViews);
     plain.result.passes = passesOf(renderer.work());
-    storeResult(m_context.cache(), *key, request, prepared.scene.sources, plain);
+    storeResult(m_context.cache(), *key, request, scene.inputs, plain);
     if (!isEmpty(attributed))
-      storeResult(m_context.cache(), attributedKey(*key, attributed), request, prepared.scene.sources,
+      storeResult(m_context.cache(), attributedKey(*key, attributed), request, scene.inputs,
                   {result, plain.prefixes, std::move(addedPictures)});
   }
 

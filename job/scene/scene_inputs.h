@@ -11,8 +11,8 @@
 
 namespace parity::job {
 
-// sources: the files that the scene was read from, its own first. Nothing where it has not been read: a built-in scene
-// has no files, and counts by its name.
+// sources: the files that the scene was read from, its own first, and the pictures of other engines. Nothing where it
+// has not been read: a built-in scene has no files, and counts by its name.
 std::optional<report::SceneInputs> inputsOf(const SceneRequest& request, const Conditions& conditions,
                                             const std::vector<scenes::SourceFile>& sources);
 

@@ -113,7 +113,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   const std::size_t parts = tiles.size() * static_cast<std::size_t>(settings.samples);
   std::size_t part = 0;
   for (const gpu::Tile& tile : tiles)
-    for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
+    for (const glm::vec2& sample : gpu::samplePositions(settings.samples, settings.filterWidth)) {
       m_context.requireGoesOn();
       const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
       cutPixels.insert(visible.cutPixels.begin(), visible.cutPixels.end());
@@ -232,7 +232,7 @@ void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Com
   const Settings& settings = m_settings;
   for (const gpu::Tile& tile :
        gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)))
-    for (const glm::vec2& sample : gpu::samplePositions(settings.samples)) {
+    for (const glm::vec2& sample : gpu::samplePositions(settings.samples, settings.filterWidth)) {
       m_context.requireGoesOn();
       composition.begin(tile);
       if (!m_kept.empty()) {

@@ -1,21 +1,26 @@
 #include "job/scene/view_rows.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/text/nearest.h"
-#include "external/transfer.h"
+#include "external/encoding.h"
 #include "job/paths.h"
 #include "job/report_folder.h"
+#include "job/scene/external_pictures.h"
 
 namespace parity::job {
 
 namespace {
 
 constexpr const char* kReference = "reference"; // of `replaces`
+// What else a view's planes are called (job/view/view_planes.cpp).
+constexpr std::array<std::string_view, 4> kTaken = {"truth", "flip", "materialFlip", "material"};
 
 [[noreturn]] void refuse(const scenes::ExternalPictures& external, const char* key, const std::string& reason) {
   throw base::Error(base::ExitCode::usage, fmt::format("{}: {}", external.where, key), "", reason);
@@ -23,6 +28,17 @@ constexpr const char* kReference = "reference"; // of `replaces`
 
 std::string known(const std::string& word, std::vector<std::string_view> names) {
   return fmt::format("'{}' is not known; {}", word, base::describeNearest(word, names));
+}
+
+// Two views of one picture: their names differ only in what file names do not keep, or the pattern lacks {view}.
+void requireOwnPictures(const SceneRequest& request, const scenes::ExternalPictures& external) {
+  std::map<std::string, std::string> views; // by file
+  for (const scenes::ViewRequest& view : request.views) {
+    const std::string file = pictureFileOf(external.test, request.name, view.name);
+    if (const auto [other, isNew] = views.emplace(file, view.name); !isNew)
+      refuse(external, "test",
+             fmt::format("the views '{}' and '{}' have the same picture, {}", other->second, view.name, file));
+  }
 }
 
 } // namespace
@@ -40,11 +56,19 @@ std::vector<Column> columnsOf(const SceneRequest& request) {
 void requireExternals(const SceneRequest& request) {
   const auto isReference = [](const scenes::ExternalPictures& each) { return each.replaces == kReference; };
   for (const scenes::ExternalPictures& each : request.externals) {
-    if (!external::findTransfer(each.transfer))
-      refuse(each, "transfer",
-             known(each.transfer, {external::kTransferNames.begin(), external::kTransferNames.end()}));
+    std::vector<std::string_view> transfers(external::kTransferNames.begin(), external::kTransferNames.end());
+    transfers.push_back(external::kFitted);
+    if (std::ranges::find(transfers, each.transfer) == transfers.end())
+      refuse(each, "transfer", known(each.transfer, transfers));
+    if (each.transfer == external::kFitted && each.calibration.empty())
+      refuse(each, "transfer", "'fitted' needs 'calibration', from whose picture the curve is read");
     std::vector<std::string_view> paths(request.settings.pathNames.begin(), request.settings.pathNames.end());
     if (std::ranges::find(paths, each.name) != paths.end()) refuse(each, "name", "a path has this name");
+    if (std::ranges::find(kTaken, each.name) != kTaken.end())
+      refuse(each, "name", "reports use this name for something else");
+    const auto hasSame = [&](const Column& column) { return column.external != &each && column.name == each.name; };
+    if (std::ranges::any_of(columnsOf(request), hasSame)) refuse(each, "name", "the reference of another one has it");
+    requireOwnPictures(request, each);
     paths.front() = kReference;
     if (!each.replaces.empty() && std::ranges::find(paths, each.replaces) == paths.end())
       refuse(each, "replaces", known(each.replaces, paths));

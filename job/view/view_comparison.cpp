@@ -300,7 +300,9 @@ ComparedView compareView(Context& context, const scenes::Scene& scene, const Vie
     material.name = scene.materials[chosen[i]].name;
     material.test = testName;
     material.figures = measured.materials.figures[i];
-    material.notModelled = scene.materials[chosen[i]].notModelled;
+    // Two engines may well model what we do not.
+    const bool areOthers = request.columns[request.reference].external && request.columns[request.test].external;
+    if (!areOthers) material.notModelled = scene.materials[chosen[i]].notModelled;
     if (path) {
       material.notes = materialNotes(scene.materials[chosen[i]], *path, settings.options);
       if (std::string excess = request.renderer->describeExcess(scene.materials[chosen[i]]); !excess.empty())

@@ -6,7 +6,7 @@ ViewSurfaces::ViewSurfaces(const SceneOnDevice& scene, const Settings& settings,
     : m_scene(scene), m_settings(settings), m_camera(camera) {
   for (const gpu::Tile& tile :
        gpu::makeTiles(static_cast<std::uint32_t>(m_settings.width), static_cast<std::uint32_t>(m_settings.height)))
-    for (const glm::vec2& sample : gpu::samplePositions(m_settings.samples))
+    for (const glm::vec2& sample : gpu::samplePositions(m_settings.samples, m_settings.filterWidth))
       m_parts.push_back({tile, m_scene.surfacePass().render(m_camera, tile, sample)});
 }
 
@@ -20,7 +20,7 @@ std::vector<ViewSurfaces::Shaded> ViewSurfaces::shade(const paths::Renderer& ren
 }
 
 void ViewSurfaces::rasteriseAgain() const {
-  const auto samples = gpu::samplePositions(m_settings.samples);
+  const auto samples = gpu::samplePositions(m_settings.samples, m_settings.filterWidth);
   for (std::size_t i = 0; i < m_parts.size(); ++i)
     m_scene.surfacePass().render(m_camera, m_parts[i].tile, samples[i % samples.size()]);
 }

@@ -248,7 +248,8 @@ template <> inline constexpr auto kRecord<SceneInputs> = record<SceneInputs>(
     field("asset", &SceneInputs::asset, "The scene's file, its buffers and its images", {.read = true}),
     field("environment", &SceneInputs::environment, "Empty: none", {.read = true}),
     field("request", &SceneInputs::request, "What is asked of the scene otherwise than of the run, and its views", {.read = true}),
-    field("bake", &SceneInputs::bake, "Its baked light; empty: none", {.read = true}));
+    field("bake", &SceneInputs::bake, "Its baked light; empty: none", {.read = true}),
+    field("pictures", &SceneInputs::pictures, "Pictures of other engines; absent: none", {.read = true, .ifEmpty = IfEmpty::absent}));
 
 // Scenes with an error are not kept; the conditions are in the archive's key.
 template <> inline constexpr auto kRecord<SceneResult> = record<SceneResult>(

@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "base/image/image_io.h"
 #include "base/temp_folder.h"
+#include "support/exr_primaries.h"
 
 namespace parity::external {
 namespace {
@@ -72,6 +73,62 @@ TEST_F(PictureTest, WhatCannotBeComparedIsRefusedInWords) {
   base::writeBytes(path("cut.png"),
                    std::vector<std::byte>(whole.begin(), whole.begin() + static_cast<long>(whole.size() / 2)));
   EXPECT_NE(refusal("cut.png", Transfer::srgb, 4), "taken");
+}
+
+// A TIFF 6.0 file of `pages` 8-bit images of 8 x 8 in colour, little-endian, uncompressed.
+std::string makeTiff(int pages, std::uint32_t orientation) {
+  constexpr std::uint32_t kPixels = 8 * 8 * 3, kHead = 8, kTags = 10, kPage = 2 + 12 * kTags + 4 + 6 + kPixels;
+  std::string bytes("II*\0", 4);
+  const auto append = [&](std::uint32_t value, int size) {
+    for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
+  };
+  append(kHead, 4);
+  for (int page = 0; page < pages; ++page) {
+    const std::uint32_t start = kHead + static_cast<std::uint32_t>(page) * kPage, bits = start + kPage - kPixels - 6;
+    append(kTags, 2);
+    const auto tag = [&](std::uint32_t name, std::uint32_t value, std::uint32_t count = 1, std::uint32_t type = 4) {
+      append(name, 2), append(type, 2), append(count, 4), append(value, 4);
+    };
+    tag(256, 8), tag(257, 8), tag(258, bits, 3, 3), tag(259, 1), tag(262, 2); // size, bits, raw, RGB
+    tag(273, bits + 6), tag(274, orientation), tag(277, 3), tag(278, 8), tag(279, kPixels);
+    append(page + 1 < pages ? start + kPage : 0, 4);
+    for (int i = 0; i < 3; ++i) append(8, 2);
+    bytes.append(kPixels, 'x');
+  }
+  return bytes;
+}
+
+TEST_F(PictureTest, NoPartNoTurnedOneAndNoneOfSeveralIsTaken) {
+  base::writeText(path("one.tif"), makeTiff(1, 1));
+  EXPECT_EQ(refusal("one.tif"), "taken");
+  base::writeText(path("turned.tif"), makeTiff(1, 6));
+  EXPECT_NE(refusal("turned.tif").find("is turned by its EXIF orientation"), std::string::npos);
+  base::writeText(path("two.tif"), makeTiff(2, 1));
+  EXPECT_NE(refusal("two.tif").find("holds several pictures"), std::string::npos);
+
+  base::writeImage(path("a.exr"), base::Image(8, 8, 3, 0.5f));
+  std::string part = base::readText(path("a.exr"));
+  const std::string window("displayWindow\0box2i\0", 20); // then its size and xMin, yMin, xMax, yMax
+  part[part.find(window) + window.size() + 4 + 8] = 20;
+  base::writeText(path("part.exr"), part);
+  EXPECT_NE(refusal("part.exr", Transfer::linear).find("holds a part of a picture only"), std::string::npos);
+}
+
+TEST_F(PictureTest, OtherPrimariesAreRefused) {
+  base::writeImage(path("a.exr"), base::Image(8, 8, 3, 0.5f));
+  base::writeText(path("wide.exr"),
+                  tests::withPrimaries(base::readText(path("a.exr")), // Rec.2020
+                                       {0.708f, 0.292f, 0.17f, 0.797f, 0.131f, 0.046f, 0.3127f, 0.329f}));
+  EXPECT_NE(refusal("wide.exr", Transfer::linear).find("has other primaries than Rec.709"), std::string::npos);
+}
+
+TEST_F(PictureTest, ValuesOfACalibrationAreFinite) {
+  base::Image image(8, 8, 3, 0.5f);
+  image.pixels[7] = NAN;
+  base::writeImage(path("nan.exr"), image);
+  EXPECT_THROW(readValues(path("nan.exr")), base::Error);
+  write8("grey.png", 8, 8, 1, 100);
+  EXPECT_THROW(readValues(path("grey.png")), base::Error);
 }
 
 } // namespace

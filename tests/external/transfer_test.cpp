@@ -17,7 +17,7 @@ TEST(Transfer, NamesAreFound) {
     ASSERT_TRUE(findTransfer(kTransferNames[i]));
     EXPECT_EQ(static_cast<std::size_t>(*findTransfer(kTransferNames[i])), i);
   }
-  EXPECT_EQ(findTransfer("sRGB"), nullptr);
+  EXPECT_FALSE(findTransfer("sRGB"));
 }
 
 // IEC 61966-2-1's own examples, and the curves at points that can be computed by hand.
@@ -59,13 +59,6 @@ TEST(Transfer, DecodingTurnsEncodingBack) {
   for (const Transfer transfer : {Transfer::acesThree, Transfer::neutral, Transfer::reinhard, Transfer::agx})
     EXPECT_NEAR(decode(transfer, encode(transfer, {3, 3, 3}))[0], 3, 0.05)
         << kTransferNames[static_cast<std::size_t>(transfer)] << ": light above white";
-}
-
-TEST(Transfer, EndsOfTheRangeAreClipped) {
-  EXPECT_TRUE(isClipped(Transfer::srgb, 1));
-  EXPECT_TRUE(isClipped(Transfer::agx, 0));
-  EXPECT_FALSE(isClipped(Transfer::srgb, 0.5));
-  EXPECT_FALSE(isClipped(Transfer::linear, 7));
 }
 
 } // namespace

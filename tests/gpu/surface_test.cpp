@@ -239,5 +239,13 @@ TEST(SamplePositions, AverageToThePixelCentreAndStayInside) {
   }
 }
 
+TEST(SamplePositions, LieOverTheFiltersBox) {
+  for (const float width : {0.5f, 2.f}) {
+    const std::vector<glm::vec2> all = samplePositions(64, width), unit = samplePositions(64);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      EXPECT_NEAR(glm::distance(all[i] - 0.5f, width * (unit[i] - 0.5f)), 0, 1e-6);
+  }
+}
+
 } // namespace
 } // namespace parity::gpu

@@ -46,8 +46,8 @@ TEST_F(BlameTest, EveryPlantedChangeIsBlamedOnItsRunAndCause) {
   history::Store store = writer();
   std::vector<std::string> ids;
   std::vector<Planted> all;
-  const std::vector<std::string> causes = {"asset", "",        "build",    "environment", "driver",
-                                           "bake",  "request", "numerics", "settings",    "asset"};
+  const std::vector<std::string> causes = {"asset",    "",        "build",    "environment", "driver", "bake",
+                                           "pictures", "request", "numerics", "settings",    "asset"};
   for (int i = 0; i < 3; ++i) ids.push_back(store.add(nights.next()).id);
   for (std::size_t i = 0; i < causes.size(); ++i) {
     for (const Planted& each : nights.plant(causes[i], i, 2)) all.push_back(each);

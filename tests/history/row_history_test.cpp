@@ -70,6 +70,18 @@ TEST_F(RowHistoryTest, ARowWithAnAlarmIsFlakyWhileItFails) {
   EXPECT_EQ(standing(0).standing, Standing::isNew) << "that was too long ago";
 }
 
+TEST_F(RowHistoryTest, AnAlarmOfAnotherBranchIsNone) {
+  history::RunRecord& state = m_nights.state();
+  const std::string branch = state.branch;
+  addNights(1);
+  state.branch = "feature", state.incidents = {state.scenes[0].name + ": flaky crash: a worker crashed"};
+  addNights(1);
+  state.branch = branch, state.incidents.clear();
+  addNights(1);
+  row(0).verdict = Verdict::fail;
+  EXPECT_EQ(standing(0).standing, Standing::isNew);
+}
+
 TEST_F(RowHistoryTest, WithoutARunOfTheSuiteTheBaselineDecides) {
   addNights(1);
   row(0).verdict = Verdict::fail;

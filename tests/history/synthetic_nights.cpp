@@ -72,6 +72,7 @@ std::vector<Planted> Nights::plant(const std::string& cause, std::size_t scene, 
   if (cause == "environment") changed.inputs.environment = fresh;
   if (cause == "request") changed.inputs.request = fresh;
   if (cause == "bake") changed.inputs.bake = fresh;
+  if (cause == "pictures") changed.inputs.pictures = fresh;
   if (cause == "build") m_record.build = fresh;
   if (cause == "driver") m_record.driver = fresh;
   if (cause == "numerics") m_record.numerics = fresh;

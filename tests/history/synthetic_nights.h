@@ -34,7 +34,8 @@ public:
   history::RunRecord next();
   std::size_t count() const { return m_count; } // nights so far
 
-  // Of a scene "asset", "environment", "request" or "bake", of the run "build", "driver", "numerics" or "settings"; or
+  // Of a scene "asset", "environment", "request", "bake" or "pictures", of the run "build", "driver", "numerics" or
+  // "settings"; or
   // "": figures change, and nothing else does. The figures of `rows` materials of the scene change. They show in the
   // next night.
   std::vector<Planted> plant(const std::string& cause, std::size_t scene, std::size_t rows = 1);

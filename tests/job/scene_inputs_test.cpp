@@ -31,7 +31,15 @@ Given makeGiven(const TempFolder& folder) {
   given.request.settings.scene.environment = (folder / "studio.hdr").string();
   given.request.settings.scene.baked = (folder / "baked").string();
   given.request.views.emplace_back().name = "front";
-  given.sources = {{folder / "Desk.gltf", "11"}, {folder / "wood.png", "22"}, {folder / "metal.png", "33"}};
+  given.request.name = "Desk";
+  scenes::ExternalPictures& engine = given.request.externals.emplace_back();
+  engine.name = "engine", engine.test = (folder / "shots" / "{scene}-{view}.png").string();
+  engine.calibration = (folder / "shots" / "calibration.png").string();
+  given.sources = {{folder / "Desk.gltf", "11"},
+                   {folder / "wood.png", "22"},
+                   {folder / "metal.png", "33"},
+                   {folder / "shots" / "Desk-front.png", "44"},
+                   {folder / "shots" / "calibration.png", "55"}};
   return given;
 }
 
@@ -39,14 +47,16 @@ std::optional<report::SceneInputs> inputsOf(const Given& given) {
   return job::inputsOf(given.request, conditionsOf(given.run, given.request, gpu::DeviceReport()), given.sources);
 }
 
-std::array<std::string, 4> digestsOf(const Given& given) {
+using Digests = std::array<std::string, 5>;
+
+Digests digestsOf(const Given& given) {
   const std::optional<report::SceneInputs> inputs = inputsOf(given);
   EXPECT_TRUE(inputs);
-  return inputs ? std::array{inputs->asset, inputs->environment, inputs->request, inputs->bake}
-                : std::array<std::string, 4>();
+  return inputs ? Digests{inputs->asset, inputs->environment, inputs->request, inputs->bake, inputs->pictures}
+                : Digests();
 }
 
-TEST(SceneInputs, AreFourDigestsOfTwelveDigits) {
+TEST(SceneInputs, AreFiveDigestsOfTwelveDigits) {
   const TempFolder folder;
   for (const std::string& digest : digestsOf(makeGiven(folder))) {
     EXPECT_EQ(digest.size(), 12u);
@@ -56,7 +66,7 @@ TEST(SceneInputs, AreFourDigestsOfTwelveDigits) {
 
 TEST(SceneInputs, ChangeShowsInItsOwnDigestAlone) {
   const TempFolder folder;
-  enum Digest { asset, environment, request, bake };
+  enum Digest { asset, environment, request, bake, pictures };
   struct Case {
     Digest digest;
     std::function<void(Given&)> change;
@@ -65,7 +75,10 @@ TEST(SceneInputs, ChangeShowsInItsOwnDigestAlone) {
       {asset, [](Given& g) { g.sources[0].hash = "44"; }},
       {asset, [](Given& g) { g.sources[2].hash = "44"; }},
       {asset, [](Given& g) { std::swap(g.sources[1].hash, g.sources[2].hash); }},
-      {asset, [](Given& g) { g.sources.pop_back(); }},
+      {asset, [](Given& g) { g.sources.erase(g.sources.begin() + 1); }},
+      {pictures, [](Given& g) { g.sources[3].hash = "66"; }},
+      {pictures, [](Given& g) { g.sources[4].hash = "66"; }},
+      {pictures, [](Given& g) { g.sources.pop_back(); }},
       {environment, [&](Given& g) { g.request.settings.scene.environment = (folder / "other.hdr").string(); }},
       {environment, [](Given& g) { g.request.settings.scene.environment = "builtin:sky"; }},
       {request,
@@ -73,15 +86,19 @@ TEST(SceneInputs, ChangeShowsInItsOwnDigestAlone) {
          g.request.settings.scene.sun = scenes::SunRequest{30, 50, 4};
        }},
       {request, [](Given& g) { g.request.settings.width = 640; }},
-      {request, [](Given& g) { g.request.views[0].name = "back"; }},
+      {request,
+       [](Given& g) {
+         g.request.views[0].name = "back";
+         g.sources[3].file.replace_filename("Desk-back.png");
+       }},
       {request, [](Given& g) { g.request.views[0].fovYDeg = 30; }},
       {bake, [&](Given& g) { g.request.settings.scene.baked = (folder / "again").string(); }},
   };
-  const std::array<std::string, 4> before = digestsOf(makeGiven(folder));
+  const Digests before = digestsOf(makeGiven(folder));
   for (std::size_t i = 0; i < cases.size(); ++i) {
     Given changed = makeGiven(folder);
     cases[i].change(changed);
-    const std::array<std::string, 4> after = digestsOf(changed);
+    const Digests after = digestsOf(changed);
     for (std::size_t digest = 0; digest < after.size(); ++digest)
       EXPECT_EQ(after[digest] != before[digest], digest == cases[i].digest) << "case " << i << ", digest " << digest;
   }
@@ -95,6 +112,7 @@ TEST(SceneInputs, NamesPlacesAndTheOrderOfReadingDoNotCount) {
   moved.request.settings.scene.environment = (there / "renamed.hdr").string();
   std::swap(moved.sources[1], moved.sources[2]);
   moved.sources[0].file = moved.request.scene = (there / "Table.gltf").string();
+  moved.sources[3].file = there / "shots" / "Table-front.png";
   EXPECT_EQ(digestsOf(moved), digestsOf(given));
 }
 
@@ -103,9 +121,12 @@ TEST(SceneInputs, AreEmptyWhereThereIsNothing) {
   Given given = makeGiven(folder);
   given.request.settings.scene.environment.clear();
   given.request.settings.scene.baked.clear();
-  const std::array<std::string, 4> digests = digestsOf(given);
+  const Digests digests = digestsOf(given);
   EXPECT_EQ(digests[1], "");
   EXPECT_EQ(digests[3], "");
+  given.request.externals.clear();
+  given.sources.resize(3);
+  EXPECT_EQ(digestsOf(given)[4], "");
   given.sources.clear();
   EXPECT_FALSE(inputsOf(given)) << "a file that was not read";
   given.request.scene = "builtin:materials";

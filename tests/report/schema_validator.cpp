@@ -64,6 +64,8 @@ public:
         if (value.is_number() && value > rule) report("is more than " + rule.dump());
       } else if (keyword == "minItems") {
         if (value.is_array() && value.size() < rule.get<std::size_t>()) report("has too few entries");
+      } else if (keyword == "maxItems") {
+        if (value.is_array() && value.size() > rule.get<std::size_t>()) report("has too many entries");
       } else if (keyword == "minLength") {
         if (value.is_string() && value.get<std::string>().size() < rule.get<std::size_t>()) report("is too short");
       } else if (keyword == "anyOf") {

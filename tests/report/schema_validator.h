@@ -1,4 +1,5 @@
-// A validator for the part of JSON Schema (draft 2020-12) that report/report.schema.json uses. A keyword that it does
+// A validator for the part of JSON Schema (draft 2020-12) that report/report.schema.json and
+// integrations/contract.schema.json use. A keyword that it does
 // not know is a finding, so the schema cannot grow past what is checked.
 #pragma once
 

@@ -7,6 +7,7 @@
 #include "cli/checks.h"
 #include "external/registration.h"
 #include "external/transfer.h"
+#include "report/schema_validator.h"
 
 namespace parity::tests {
 namespace {
@@ -62,6 +63,72 @@ TEST_F(ContractTest, HoldsWhatAnEngineNeeds) {
   EXPECT_EQ(ids.info.channelNames.size(), 3u);
 }
 
+// Of lights of each kind, an orthographic and a perspective camera, with and without an environment.
+TEST_F(ContractTest, IsAsItsSchemaSays) {
+  const nlohmann::json schema =
+      nlohmann::json::parse(readWholeFile(PARITY_SOURCE_DIR "/integrations/contract.schema.json"));
+  const auto errors = [&](const nlohmann::json& json) {
+    std::string text;
+    for (const std::string& line : report::validate(schema, json)) text += line + "\n";
+    return text;
+  };
+  makeContract();
+  EXPECT_EQ(errors(contract()), "");
+  ASSERT_TRUE(exitedWith(0, runParity({"contract", "builtin:lamps", "builtin:spheres", "-o", path("contract"), "--size",
+                                       "32x32", "--falloff", "ue4", "--exposure", "1.5", "--samples", "4"})));
+  nlohmann::json json = contract();
+  EXPECT_EQ(errors(json), "");
+  EXPECT_EQ(json["scenes"][0]["lights"][0]["falloff"], "ue4");
+  json["scenes"][0]["views"][0]["camera"]["view"].push_back(0);
+  json["scenes"][1]["views"][0].erase("picture");
+  json["format"] = 2;
+  EXPECT_EQ(linesOf(errors(json)).size(), 3u) << errors(json);
+}
+
+// The map that a contract holds lights the scene as the turned one does: else its bright sides are elsewhere.
+TEST_F(ContractTest, TheEnvironmentIsTurnedAsTheViewsShowIt) {
+  ASSERT_TRUE(exitedWith(0, runParity({"contract", "builtin:materials", "--env", "builtin:studio", "--env-rotation",
+                                       "40", "-o", path("contract"), "--size", "96x64"})));
+  ASSERT_EQ(contract()["scenes"][0]["lights"].size(), 0u);
+  const auto lit = [&](const std::vector<std::string>& light) {
+    return render("builtin:materials", "highend", join({{"--size", "96x64"}, light}));
+  };
+  const base::Image turned = lit({"--env", "builtin:studio", "--env-rotation", "40"}),
+                    exported = lit({"--env", path("contract/0/environment.hdr")}),
+                    other = lit({"--env", path("contract/0/environment.hdr"), "--env-rotation", "-80"});
+  const auto difference = [&](const base::Image& a) {
+    double sum = 0, all = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+      sum += std::abs(a.pixels[i] - turned.pixels[i]), all += turned.pixels[i];
+    return sum / all;
+  };
+  EXPECT_LT(difference(exported), 0.02);
+  EXPECT_GT(difference(other), 3 * difference(exported));
+}
+
+TEST_F(ContractTest, AChosenVariantIsWritten) {
+  ASSERT_TRUE(exitedWith(0, runParity({"export", "builtin:materials", "-o", path("plain.glb")})));
+  const std::vector<std::string> options = {"-o", path("contract"), "--size", "32x32", "--env", "builtin:studio"};
+  ASSERT_TRUE(exitedWith(0, runParity(join({{"contract", path("plain.glb")}, options}))));
+  EXPECT_EQ(contract()["scenes"][0]["scene"], "../plain.glb");
+  ASSERT_TRUE(exitedWith(0, runParity(join({{"contract", path("plain.glb"), "--subject", "ball"}, options}))));
+  EXPECT_EQ(contract()["scenes"][0]["scene"], "0/scene.glb") << "the file shows something else";
+}
+
+TEST_F(ContractTest, NothingIsOverwrittenThatIsRead) {
+  ASSERT_TRUE(exitedWith(0, runParity({"export", "builtin:spheres", "-o", path("calibration.glb")})));
+  const std::string before = readWholeFile(path("calibration.glb"));
+  expectRefused(runParity({"contract", path("calibration.glb"), "-o", path("")}), 64, {"calibration.glb"});
+  EXPECT_EQ(readWholeFile(path("calibration.glb")), before);
+}
+
+TEST_F(ContractTest, TwoPicturesOfOneNameAreRefused) {
+  write("two.toml", "[[scene]]\nname = \"A b\"\nfile = \"builtin:spheres\"\n[[scene]]\nname = \"A_b\"\nfile = "
+                    "\"builtin:spheres\"\n");
+  expectRefused(runParity({"contract", "--suite", path("two.toml"), "-o", path("contract"), "--size", "32x32"}), 64,
+                {"A_b-auto.png"});
+}
+
 // The exported scene under the exported light is the same picture.
 TEST_F(ContractTest, TheSameViewRenderedFromItIsTheSamePicture) {
   makeContract();
@@ -112,6 +179,39 @@ TEST_F(ContractTest, TransfersAreToldApartOnPicturesOfEightBits) {
   for (const char* name : external::kTransferNames) {
     const std::vector<std::string> lines = calibrate(light, *external::findTransfer(name));
     EXPECT_TRUE(contains(lines[1], fmt::format("curve        {} (", name))) << name << ": " << lines[1];
+  }
+}
+
+// Cineon of three.js: no curve that parity knows, but one for each channel.
+TEST_F(ContractTest, ACurveThatIsNotKnownIsReadFromTheRamp) {
+  makeContract();
+  base::Image light = calibration();
+  for (float& value : light.pixels) {
+    const double v = std::max(0.0, static_cast<double>(value) - 0.004);
+    value = static_cast<float>((v * (6.2 * v + 0.5)) / (v * (6.2 * v + 1.7) + 0.06));
+  }
+  const std::vector<std::string> lines = calibrate(light, external::Transfer::linear);
+  EXPECT_TRUE(contains(lines[1], "none of the known ones")) << lines[1];
+  EXPECT_TRUE(contains(lines[1], "transfer = \"fitted\" reads it from the ramp")) << lines[1];
+  // A curve that turns saturated colours pale is none of single channels.
+  base::Image mixed = calibration();
+  for (std::size_t i = 0; i < mixed.pixelCount(); ++i) {
+    float* c = &mixed.pixels[3 * i];
+    const float most = std::max({c[0], c[1], c[2]});
+    for (int k = 0; k < 3; ++k) c[k] = std::pow(0.8f * c[k] + 0.2f * most, 0.35f);
+  }
+  const std::vector<std::string> told = calibrate(mixed, external::Transfer::linear);
+  EXPECT_TRUE(contains(told[1], "It mixes channels")) << told[1];
+}
+
+TEST_F(ContractTest, TheWidthOfTheFilterIsFound) {
+  makeContract();
+  for (const double width : {0.5, 1.0, 1.5, 2.0}) {
+    const std::vector<std::string> lines =
+        calibrate(calibration({"--samples", "64", "--filter-width", fmt::format("{}", width)}));
+    double found = 0;
+    ASSERT_EQ(std::sscanf(lines[2].c_str(), "filter as wide as a box of %lf", &found), 1) << lines[2];
+    EXPECT_NEAR(found, width, 0.1);
   }
 }
 

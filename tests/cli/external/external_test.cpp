@@ -28,7 +28,18 @@ protected:
         0, runParity(join({{"render", scene, "--path", by, "--env", "builtin:studio", "-o", path(file)}, more}))));
   }
   RunResult report(const std::string& externals, const std::vector<std::string>& more = {}) const {
-    return runParity(join({{"report", "--suite", suite(externals), "-o", path("out"), "--no-cache"}, kSize, more}));
+    return runParity(join({{"report", "--suite", suite(externals), "-o", path("out")}, kSize, more}));
+  }
+  // calibration.exr: the calibration scene by the high-end path.
+  void calibrate(const std::vector<std::string>& more = {}, bool isLit = true) const {
+    ASSERT_TRUE(exitedWith(0, runParity({"contract", "builtin:spheres", "-o", path("contract"), "--size", "16x16",
+                                         "--env", "builtin:studio"})));
+    const std::vector<std::string> light = {"--env", path("contract/calibration.hdr")};
+    ASSERT_TRUE(exitedWith(
+        0, runParity(join({{"render", path("contract/calibration.glb"), "--camera", "calibration", "--path", "highend",
+                            "--size", "512x512", "--background", "0,0,0", "-o", path("calibration.exr")},
+                           isLit ? light : std::vector<std::string>(),
+                           more}))));
   }
   nlohmann::json views() const { return readReport(m_folder / "out")["scenes"][0]["views"]; }
   static double flip(const nlohmann::json& row) { return row["figures"]["metrics"]["flip.mean"]; }
@@ -104,25 +115,105 @@ TEST_F(ExternalTest, TheFactsOfAPictureAreHeldAgainstTheTruth) {
   EXPECT_EQ(truth["terms"].size(), 0u) << "of a picture no terms are known";
 }
 
+// Also over black, where edges are those of the silhouettes alone.
 TEST_F(ExternalTest, ASmallShiftIsPutRightAndALargeOneRefused) {
-  draw("highend", "half.exr", join({kSize, {"--samples", "16"}}));
-  const base::Image whole = base::readImage(path("half.exr"));
-  const auto shifted = [&](const std::string& file, double dx) {
-    base::writeImage(path(file), external::placedOnView(whole, {.dx = -dx}));
+  for (const std::string background : {"0.18,0.18,0.18", "0,0,0"}) {
+    const std::vector<std::string> fine = {"--samples", "16", "--background", background};
+    draw("highend", "whole.exr", join({kSize, fine}));
+    const base::Image whole = base::readImage(path("whole.exr"));
+    const auto shifted = [&](const std::string& file, double dx) {
+      base::writeImage(path(file), external::placedOnView(whole, {.dx = -dx}));
+      return external("moved", fmt::format("transfer = \"linear\"\ntest = \"{}\"", file));
+    };
+    const RunResult run = report(shifted("a.exr", 0.3), fine);
+    ASSERT_TRUE(isReported(run));
+    EXPECT_TRUE(contains(run.err, "the picture of moved lies 0.")) << run.err;
+    double found = 0;
+    const std::size_t at = run.err.find("beside it (");
+    ASSERT_EQ(std::sscanf(run.err.c_str() + at, "beside it (%lf to the right", &found), 1) << run.err;
+    EXPECT_NEAR(found, 0.3, 0.05);
+    EXPECT_TRUE(contains(run.err, "that is put right")) << run.err;
+    EXPECT_LT(views()[1]["whole"]["figures"]["metrics"]["flip.mean"], 0.03);
+    for (const double shift : {0.6, 1.0, 2.0}) {
+      const RunResult refused = report(shifted("b.exr", shift), fine);
+      EXPECT_TRUE(exitedWith(3, refused));
+      const std::size_t place = refused.err.find("b.exr: lies ");
+      ASSERT_NE(place, std::string::npos) << refused.err;
+      ASSERT_EQ(std::sscanf(refused.err.c_str() + place, "b.exr: lies %lf pixels beside the view", &found), 1);
+      EXPECT_NEAR(found, shift, 0.07) << background;
+    }
+  }
+}
+
+// The calibration's picture is right, and yet this view lies beside: its camera or size is at fault.
+TEST_F(ExternalTest, EachViewsPlaceIsLookedAtUnderACalibration) {
+  calibrate();
+  draw("highend", "whole.exr", join({kSize, {"--samples", "16"}}));
+  const base::Image whole = base::readImage(path("whole.exr"));
+  const std::string keys = "transfer = \"linear\"\ncalibration = \"calibration.exr\"\n";
+  ASSERT_TRUE(isReported(report(external("x", keys + "test = \"whole.exr\""), {"--samples", "16"})));
+  base::writeImage(path("moved.exr"), external::placedOnView(whole, {.dx = -2}));
+  expectNotComparable(external("x", keys + "test = \"moved.exr\""),
+                      "although the calibration's place is put right: mend the camera of this view");
+}
+
+// The calibration scene by our own path, as a picture of that transfer.
+TEST_F(ExternalTest, ACurveIsFittedToTheCalibration) {
+  calibrate();
+  draw("mobile", "mobile.exr");
+  draw("mobile", "mobile.png");
+  const auto encoded = [&](const std::string& from, const std::string& to) { // three.js' Cineon, of 8 bits
+    const base::Image light = base::readImage(path(from));
+    base::Image8 out(light.width, light.height, 3);
+    for (std::size_t i = 0; i < light.pixels.size(); ++i) {
+      const double v = std::max(0.0, static_cast<double>(light.pixels[i]) - 0.004);
+      const double value = (v * (6.2 * v + 0.5)) / (v * (6.2 * v + 1.7) + 0.06);
+      out.pixels[i] = static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255 + 0.5);
+    }
+    base::writeImage8(path(to), out);
   };
-  shifted("a.exr", 0.3);
-  const std::string linear = "transfer = \"linear\"\n";
-  const RunResult run = report(external("moved", linear + "test = \"a.exr\""), {"--samples", "16"});
+  encoded("calibration.exr", "cineon.png");
+  encoded("mobile.exr", "shot.png");
+  const auto external = [&](const std::string& keys) { return ExternalTest::external("theirs", keys); };
+  const std::string fitted = external("test = \"shot.png\"\ntransfer = \"fitted\"\ncalibration = \"cineon.png\"");
+  ASSERT_TRUE(isReported(report(fitted)));
+  const auto mean = [&](std::size_t row) {
+    return views()[row]["whole"]["figures"]["metrics"]["flip.mean"].get<double>();
+  };
+  EXPECT_NEAR(mean(1), mean(0), 0.02) << "as the mobile path itself";
+  ASSERT_TRUE(isReported(report(external("test = \"shot.png\""))));
+  EXPECT_GT(mean(1), mean(0) + 0.02) << "read as sRGB it is another picture";
+  expectNotComparable(external("test = \"shot.png\"\ncalibration = \"cineon.png\""),
+                      "transfer = \"fitted\" reads it from the ramp");
+}
+
+// An engine whose filter is two pixels wide: the report says how ours is rendered alike, and so it is.
+TEST_F(ExternalTest, AFilterIsToldAndOursIsRenderedAlike) {
+  const std::vector<std::string> fine = {"--samples", "16"}, wide = {"--samples", "16", "--filter-width", "2.0"};
+  calibrate(wide);
+  draw("highend", "wide.exr", join({kSize, wide}));
+  const std::string theirs =
+      external("x", "transfer = \"linear\"\ntest = \"wide.exr\"\ncalibration = \"calibration.exr\"");
+  const auto mean = [&] { return views()[1]["whole"]["figures"]["metrics"]["flip.mean"].get<double>(); };
+  const RunResult other = report(theirs, fine);
+  ASSERT_TRUE(isReported(other));
+  EXPECT_TRUE(contains(other.err, "--filter-width 2.0 renders ours alike")) << other.err;
+  EXPECT_GT(mean(), 0.01);
+  const RunResult alike = report(theirs, wide);
+  ASSERT_TRUE(isReported(alike));
+  EXPECT_FALSE(contains(alike.err, "renders ours alike")) << alike.err;
+  EXPECT_LT(mean(), 0.001);
+  const RunResult one = report(theirs);
+  EXPECT_TRUE(contains(one.err, "ours is one sample: --samples 16 --filter-width 2.0 renders ours alike")) << one.err;
+}
+
+TEST_F(ExternalTest, AnEnvironmentThatIsNotSeenIsTold) {
+  calibrate({}, false);
+  draw("highend", "same.exr");
+  const RunResult run =
+      report(external("x", "transfer = \"linear\"\ntest = \"same.exr\"\ncalibration = \"calibration.exr\""));
   ASSERT_TRUE(isReported(run));
-  EXPECT_TRUE(contains(run.err, "the picture of moved lies 0.")) << run.err;
-  double found = 0;
-  const std::size_t at = run.err.find("beside it (");
-  ASSERT_EQ(std::sscanf(run.err.c_str() + at, "beside it (%lf to the right", &found), 1) << run.err;
-  EXPECT_NEAR(found, 0.3, 0.05);
-  EXPECT_TRUE(contains(run.err, "that is put right")) << run.err;
-  EXPECT_LT(views()[1]["whole"]["figures"]["metrics"]["flip.mean"], 0.03);
-  shifted("b.exr", 1);
-  expectNotComparable(external("moved", linear + "test = \"b.exr\""), "pixels beside the view 'auto'");
+  EXPECT_TRUE(contains(run.err, "the mirror ball does not show the environment's spots")) << run.err;
 }
 
 TEST_F(ExternalTest, WhatCannotBeComparedIsNoPass) {
@@ -149,12 +240,26 @@ TEST_F(ExternalTest, WhatCannotBeComparedIsNoPass) {
   write("cut.png", whole.substr(0, whole.size() / 2));
   EXPECT_TRUE(exitedWith(4, report(external("x", "test = \"cut.png\""))));
 
+  // Without the bad ones the good one is compared.
+  const RunResult both = report(external("good", "test = \"same.png\"") + external("bad", "test = \"other.png\"") +
+                                external("worse", "test = \"none.png\""));
+  EXPECT_TRUE(exitedWith(3, both));
+  ASSERT_EQ(views().size(), 2u);
+  EXPECT_EQ(views()[1]["test"], "good");
+  EXPECT_TRUE(contains(both.err, "other.png")) << both.err;
+  EXPECT_TRUE(contains(both.err, "none.png")) << "all are told: " << both.err;
+}
+
+TEST_F(ExternalTest, NanIsNoPass) {
+  draw("highend", "same.exr");
   base::Image nan = base::readImage(path("same.exr"));
-  std::fill(nan.pixels.begin(), nan.pixels.begin() + static_cast<long>(nan.pixels.size() / 2 + nan.pixels.size() / 4),
-            NAN);
+  const std::size_t middle = nan.pixels.size() / 2 + 3 * 64;
+  std::fill_n(nan.pixels.begin() + static_cast<long>(middle), 30, NAN);
   base::writeImage(path("nan.exr"), nan);
   const RunResult run = report(external("x", "transfer = \"linear\"\ntest = \"nan.exr\""));
-  EXPECT_TRUE(run.exitCode == 3 || run.exitCode == 4) << run.exitCode;
+  EXPECT_TRUE(exitedWith(2, run));
+  const nlohmann::json row = views()[1];
+  EXPECT_EQ(row["whole"]["verdict"], "fail") << row["whole"].dump(1);
 }
 
 TEST_F(ExternalTest, SuitesAreRefusedInWords) {
@@ -166,6 +271,10 @@ TEST_F(ExternalTest, SuitesAreRefusedInWords) {
   refused(external("x", "test = \"a.png\"\ntransfer = \"srbg\""), "did you mean 'srgb'");
   refused(external("x", "test = \"a.png\"\nreplaces = \"moble\""), "did you mean 'mobile'");
   refused(external("mobile", "test = \"a.png\""), "a path has this name");
+  refused(external("truth", "test = \"a.png\""), "reports use this name for something else");
+  refused(external("x", "test = \"a.png\"\ntransfer = \"fitted\""), "'fitted' needs 'calibration'");
+  refused(external("x", "test = \"a.png\"\nreference = \"b.png\"") + external("x reference", "test = \"c.png\""),
+          "the reference of another one has it");
   refused(external("x", "test = \"a.png\"") + external("x", "test = \"b.png\""), "have the name 'x'");
   refused(external("x", "test = \"a.png\"\ntets = \"b.png\""), "did you mean 'test'");
 }
@@ -177,14 +286,16 @@ TEST_F(ExternalTest, AChangedPictureIsComparedAnew) {
                                            "--cache", path("cache"), "--size",         "128x128"};
   ASSERT_TRUE(isReported(runParity(cached)));
   EXPECT_EQ(views()[1]["whole"]["figures"]["metrics"]["flip.mean"], 0);
-  const std::string inputs = readReport(m_folder / "out")["scenes"][0]["inputs"]["asset"];
+  const nlohmann::json inputs = readReport(m_folder / "out")["scenes"][0]["inputs"];
   ASSERT_TRUE(isReported(runParity(cached)));
   EXPECT_EQ(nlohmann::json::parse(readWholeFile(m_folder / "out" / "run.json"))["cachedScenes"].size(), 1u);
   EXPECT_EQ(views().size(), 2u);
   draw("mobile", "shot.png");
   ASSERT_TRUE(isReported(runParity(cached)));
   EXPECT_GT(views()[1]["whole"]["figures"]["metrics"]["flip.mean"], 0.01);
-  EXPECT_NE(readReport(m_folder / "out")["scenes"][0]["inputs"]["asset"], inputs) << "a history names it";
+  const nlohmann::json now = readReport(m_folder / "out")["scenes"][0]["inputs"];
+  EXPECT_NE(now["pictures"], inputs["pictures"]) << "a history names it";
+  EXPECT_EQ(now["asset"], inputs["asset"]);
 }
 
 } // namespace

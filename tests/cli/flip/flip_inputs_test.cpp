@@ -5,6 +5,7 @@
 
 #include "base/image/image_io.h"
 #include "cli/flip/flip_pictures.h"
+#include "support/exr_primaries.h"
 
 namespace parity::tests {
 namespace {
@@ -92,31 +93,12 @@ TEST_F(FlipInputs, DeclaredColourSpaceIsConverted) {
   EXPECT_LT(firstFigures(flipJson({exr, png, "--colorspace", "srgb"}))["flip.max"].get<double>(), 1e-4);
 }
 
-// Puts a chromaticities attribute into an EXR of a single chunk, whose offset moves on by what is inserted.
-void declarePrimaries(const std::string& file, const std::array<float, 8>& xy) {
-  std::string bytes = readWholeFile(file);
-  std::string attribute("chromaticities\0chromaticities\0\x20\0\0\0", 34);
-  attribute.append(reinterpret_cast<const char*>(xy.data()), sizeof xy);
-  std::size_t at = 8; // behind magic and version: name, type, size, value, and a zero at the end
-  while (bytes.at(at) != 0) {
-    at = bytes.find('\0', bytes.find('\0', at) + 1) + 1;
-    std::int32_t size = 0;
-    std::memcpy(&size, bytes.data() + at, 4);
-    at += 4 + static_cast<std::size_t>(size);
-  }
-  std::uint64_t offset = 0;
-  std::memcpy(&offset, bytes.data() + at + 1, 8);
-  offset += attribute.size();
-  std::memcpy(bytes.data() + at + 1, &offset, 8);
-  bytes.insert(8, attribute);
-  writeFile(file, bytes);
-}
-
 TEST_F(FlipInputs, PrimariesThatAFileDeclaresAreHeeded) {
   const base::Image image = makePicture(16, 16);
   const std::string plain = write("plain.exr", image), aces = write("aces.exr", image), odd = write("odd.exr", image);
-  declarePrimaries(aces, {0.713f, 0.293f, 0.165f, 0.830f, 0.128f, 0.044f, 0.32168f, 0.33767f});
-  declarePrimaries(odd, {0.5f, 0.3f, 0.2f, 0.6f, 0.1f, 0.1f, 0.3127f, 0.329f});
+  writeFile(aces,
+            withPrimaries(readWholeFile(aces), {0.713f, 0.293f, 0.165f, 0.830f, 0.128f, 0.044f, 0.32168f, 0.33767f}));
+  writeFile(odd, withPrimaries(readWholeFile(odd), {0.5f, 0.3f, 0.2f, 0.6f, 0.1f, 0.1f, 0.3127f, 0.329f}));
   const nlohmann::json pair = flipJson({plain, aces})["pairs"][0];
   EXPECT_EQ(pair["referenceSpace"], "linear, assumed of floats");
   EXPECT_EQ(pair["testSpace"], "acescg, declared by the file");

@@ -135,6 +135,7 @@ export interface SceneInputs {
   environment: string; // Empty: none
   request: string; // What is asked of the scene otherwise than of the run, and its views
   bake: string; // Its baked light; empty: none
+  pictures?: string; // Pictures of other engines; absent: none
 }
 
 /** What a material is made of */
