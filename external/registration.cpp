@@ -1,6 +1,7 @@
 #include "external/registration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -66,30 +67,40 @@ public:
 
   // At all (x, y) of the two lists: row by row.
   std::vector<double> at(const std::vector<double>& xs, const std::vector<double>& ys) const {
-    std::vector<Complex> alongX(static_cast<std::size_t>(m_height) * xs.size()); // each row at the xs
-    base::parallelFor(static_cast<std::size_t>(m_height), 16, [&](std::size_t begin, std::size_t end) {
+    const std::vector<Complex> wavesX = wavesOf(xs, m_width), wavesY = wavesOf(ys, m_height);
+    const auto width = static_cast<std::size_t>(m_width), height = static_cast<std::size_t>(m_height);
+    std::vector<Complex> alongX(height * xs.size()); // each row at the xs
+    base::parallelFor(height, 16, [&](std::size_t begin, std::size_t end) {
       for (std::size_t row = begin; row < end; ++row)
-        for (std::size_t i = 0; i < xs.size(); ++i) {
-          Complex sum = 0;
-          for (int k = 0; k < m_width; ++k)
-            sum += m_spectrum[row * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(k)] *
-                   std::polar(1.0, 2 * kPi * frequency(k, m_width) * xs[i]);
-          alongX[row * xs.size() + i] = sum;
-        }
+        for (std::size_t i = 0; i < xs.size(); ++i)
+          alongX[row * xs.size() + i] = dot(&m_spectrum[row * width], &wavesX[i * width], width, 1);
     });
     std::vector<double> values;
-    for (const double y : ys)
-      for (std::size_t i = 0; i < xs.size(); ++i) {
-        Complex sum = 0;
-        for (int k = 0; k < m_height; ++k)
-          sum += alongX[static_cast<std::size_t>(k) * xs.size() + i] *
-                 std::polar(1.0, 2 * kPi * frequency(k, m_height) * y);
-        values.push_back(sum.real());
-      }
+    for (std::size_t j = 0; j < ys.size(); ++j)
+      for (std::size_t i = 0; i < xs.size(); ++i)
+        values.push_back(dot(&alongX[i], &wavesY[j * height], height, xs.size()).real());
     return values;
   }
 
 private:
+  // Of each place the wave of each frequency there.
+  static std::vector<Complex> wavesOf(const std::vector<double>& places, int count) {
+    std::vector<Complex> waves;
+    for (const double place : places)
+      for (int k = 0; k < count; ++k) waves.push_back(std::polar(1.0, 2 * kPi * frequency(k, count) * place));
+    return waves;
+  }
+  // Written out: Complex' own product looks for infinities.
+  static Complex dot(const Complex* values, const Complex* waves, std::size_t count, std::size_t step) {
+    double real = 0, imaginary = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Complex &v = values[k * step], &w = waves[k];
+      real += v.real() * w.real() - v.imag() * w.imag();
+      imaginary += v.real() * w.imag() + v.imag() * w.real();
+    }
+    return {real, imaginary};
+  }
+
   const std::vector<Complex>& m_spectrum;
   int m_width, m_height;
 };
@@ -108,16 +119,23 @@ void sample(const base::Image& picture, double x, double y, float* out) {
     return picture.at(std::clamp(px, 0, picture.width - 1), std::clamp(py, 0, picture.height - 1));
   };
   constexpr int kReach = 3;
+  std::array<double, 2 * kReach> alongX{}, alongY{};
+  double all = 0;
+  for (int i = 0; i < 2 * kReach; ++i) {
+    alongX[static_cast<std::size_t>(i)] = lanczos(x - (x0 + 1 - kReach + i));
+    alongY[static_cast<std::size_t>(i)] = lanczos(y - (y0 + 1 - kReach + i));
+  }
+  for (const double wy : alongY)
+    for (const double wx : alongX) all += wx * wy;
   for (int c = 0; c < picture.channels; ++c) {
-    double sum = 0, weights = 0;
-    for (int j = 1 - kReach; j <= kReach; ++j)
-      for (int i = 1 - kReach; i <= kReach; ++i) {
-        const double weight = lanczos(x - (x0 + i)) * lanczos(y - (y0 + j));
-        sum += weight * pixel(x0 + i, y0 + j)[c], weights += weight;
-      }
+    double sum = 0;
+    for (int j = 0; j < 2 * kReach; ++j)
+      for (int i = 0; i < 2 * kReach; ++i)
+        sum += alongX[static_cast<std::size_t>(i)] * alongY[static_cast<std::size_t>(j)] *
+               pixel(x0 + 1 - kReach + i, y0 + 1 - kReach + j)[c];
     const auto [least, most] =
         std::minmax({pixel(x0, y0)[c], pixel(x0 + 1, y0)[c], pixel(x0, y0 + 1)[c], pixel(x0 + 1, y0 + 1)[c]});
-    out[c] = std::clamp(static_cast<float>(sum / weights), least, most);
+    out[c] = std::clamp(static_cast<float>(sum / all), least, most);
   }
 }
 
