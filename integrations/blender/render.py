@@ -8,10 +8,15 @@ import sys
 import time
 
 import bpy
-import numpy
 from mathutils import Matrix, Vector
 
 kUsage = "blender -b --factory-startup --python render.py -- CONTRACT SHOTS [--scene NAME] [--engine cycles|eevee] [--samples N]"
+
+try:
+    import numpy
+except ImportError:  # Blender itself would end with 0
+    print(f"render.py: {sys.prefix}: the Python that Blender uses has no numpy, which its glTF importer needs", file=sys.stderr)
+    sys.exit(1)
 
 # glTF has +Y up and Blender +Z: Blender's importer puts (x, y, z) at (x, -z, y), and so do we with cameras and lights.
 # The contract's map needs no rotation: Cycles reads the column u = .5 - atan2(Y, X) / (2 pi) of an equirectangular map
