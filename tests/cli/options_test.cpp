@@ -40,6 +40,7 @@ const std::vector<Probe> kProbes = {
     {{"--target", "0,1,0"}, "spheres", "mobile", kOrbit},
     {{"--fov", "20"}, "spheres", "mobile", kOrbit},
     {{"--samples", "4"}},
+    {{"--filter-width", "2"}, "spheres", "mobile", {"--samples", "4"}},
     {{"--exposure", "1"}, "spheres", "mobile", {}, ".png"},
     {{"--display", "ACES SDR"}, "spheres", "mobile", {}, ".png"},
     {{"--background", "1,0,0"}},

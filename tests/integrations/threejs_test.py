@@ -28,7 +28,7 @@ def main():
         skip("node and Chromium are needed")
     with temporary_folder() as name:
         folder = Path(name)
-        suite, size = write_suite(folder, EXTERNALS), ["--size", "192x192"]
+        suite, size = write_suite(folder, EXTERNALS), ["--size", "192x192", "--samples", "4"]
         run([parity, "contract", "--suite", suite, "-o", "contract", *size], folder)
         shutil.copytree(SOURCE / "integrations/threejs", folder / "threejs", ignore=shutil.ignore_patterns("node_modules"))
         (folder / "threejs/node_modules").symlink_to(packages / "node_modules")

@@ -70,6 +70,7 @@ const std::vector<Change> kChanges = {
     {"size", CHANGE(s.width = 1025)},
     {"size", CHANGE(s.height = 1025)},
     {"samples", CHANGE(s.samples = 4)},
+    {"filter width", CHANGE(s.filterWidth = 2)},
     {"display", CHANGE(s.display = "ACES SDR")},
     {"background", CHANGE(s.background.y = 0.18000002f)},
     {"materials", CHANGE(s.materials = {"Hero*"})},
