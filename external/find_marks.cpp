@@ -19,7 +19,6 @@ struct Blob {
   glm::dvec2 at{0.0}; // pixels from the picture's middle, y down
   glm::dvec3 color{0.0};
   double area = 0;
-  int width = 0, height = 0;
 };
 
 // Connected pixels that are brighter than a threshold in some channel. Their places are weighted by how bright they
@@ -37,7 +36,6 @@ std::vector<Blob> findBlobs(const base::Image& values) {
     if (seen[start] || strength(start) < kThreshold) continue;
     Blob blob;
     double weights = 0;
-    int left = width, right = -1, top = height, bottom = -1;
     std::vector<std::size_t> open = {start};
     seen[start] = 1;
     while (!open.empty()) {
@@ -49,7 +47,6 @@ std::vector<Blob> findBlobs(const base::Image& values) {
       weights += weight, blob.area += 1;
       blob.at += weight * glm::dvec2(x - 0.5 * (width - 1), y - 0.5 * (height - 1));
       for (int c = 0; c < 3; ++c) blob.color[c] += values.pixels[3 * pixel + static_cast<std::size_t>(c)];
-      left = std::min(left, x), right = std::max(right, x), top = std::min(top, y), bottom = std::max(bottom, y);
       for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
         const int nx = x + dx, ny = y + dy;
         if (nx < 0 || ny < 0 || nx >= width || ny >= height) continue;
@@ -62,7 +59,6 @@ std::vector<Blob> findBlobs(const base::Image& values) {
     }
     blob.at /= weights;
     blob.color /= blob.area;
-    blob.width = right - left + 1, blob.height = bottom - top + 1;
     blobs.push_back(blob);
   }
   return blobs;

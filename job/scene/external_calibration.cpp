@@ -1,5 +1,6 @@
 #include "job/scene/external_calibration.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -65,6 +66,8 @@ private:
   const scenes::ExternalPictures& m_external;
 };
 
+constexpr double kLeastFilterWidth = 0.3; // that --filter-width takes, in tenths
+
 // How to render ours under the same filter; empty: it is the same.
 std::string filterAdvice(double theirs, const Settings& settings) {
   const double ours = settings.samples > 1 ? settings.filterWidth : 0;
@@ -75,7 +78,8 @@ std::string filterAdvice(double theirs, const Settings& settings) {
   const std::string samples = ours == 0 ? " --samples 16" : "";
   const bool isOne = ours == 0 && std::abs(theirs - 1) <= external::kSameFilter;
   return fmt::format("{}:{}{} renders ours alike", width, samples,
-                     isOne ? std::string() : fmt::format(" --filter-width {:.1f}", theirs));
+                     isOne ? std::string()
+                           : fmt::format(" --filter-width {:.1f}", std::max(theirs, kLeastFilterWidth)));
 }
 
 } // namespace

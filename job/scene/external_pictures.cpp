@@ -247,9 +247,8 @@ void ExternalPictureReader::addTo(ViewFrames& frames, std::size_t view) {
       if (!frames.truth.color.empty())
         for (const base::PixelList& list : frames.coverage)
           picture.truthSwap.push_back(mixByCoverage(list, frames.truth.color, picture.frame.color));
-      m_sources.push_back({file, base::hashOfFile(file)});
-      if (const std::string& calibration = column.external->calibration; !calibration.empty())
-        m_sources.push_back({calibration, base::hashOfFile(calibration)});
+      addSource(file);
+      if (!column.external->calibration.empty()) addSource(column.external->calibration);
     } catch (const base::Error& error) {
       picture = {};
       const std::string text = error.what();
@@ -260,6 +259,11 @@ void ExternalPictureReader::addTo(ViewFrames& frames, std::size_t view) {
     }
   }
   std::ranges::move(pictures, std::back_inserter(frames.paths));
+}
+
+void ExternalPictureReader::addSource(const std::string& file) {
+  const auto isSame = [&](const scenes::SourceFile& source) { return source.file == file; };
+  if (std::ranges::none_of(m_sources, isSame)) m_sources.push_back({file, base::hashOfFile(file)});
 }
 
 std::vector<std::string> ExternalPictureReader::warnings() const {

@@ -32,6 +32,8 @@ public:
   const std::optional<base::Error>& problem() const { return m_problem; }
 
 private:
+  void addSource(const std::string& file);
+
   const SceneRequest& m_request;
   Calibrations m_calibrations;
   std::vector<std::string> m_warnings;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,12 +33,15 @@ std::string known(const std::string& word, std::vector<std::string_view> names) 
 
 // Two views of one picture: their names differ only in what file names do not keep, or the pattern lacks {view}.
 void requireOwnPictures(const SceneRequest& request, const scenes::ExternalPictures& external) {
-  std::map<std::string, std::string> views; // by file
-  for (const scenes::ViewRequest& view : request.views) {
-    const std::string file = pictureFileOf(external.test, request.name, view.name);
-    if (const auto [other, isNew] = views.emplace(file, view.name); !isNew)
-      refuse(external, "test",
-             fmt::format("the views '{}' and '{}' have the same picture, {}", other->second, view.name, file));
+  for (const auto& [key, pattern] : {std::pair("test", external.test), std::pair("reference", external.reference)}) {
+    if (pattern.empty()) continue;
+    std::map<std::string, std::string> views; // by file
+    for (const scenes::ViewRequest& view : request.views) {
+      const std::string file = pictureFileOf(pattern, request.name, view.name);
+      if (const auto [other, isNew] = views.emplace(file, view.name); !isNew)
+        refuse(external, key,
+               fmt::format("the views '{}' and '{}' have the same picture, {}", other->second, view.name, file));
+    }
   }
 }
 

@@ -129,5 +129,29 @@ TEST_F(ReportHistoryTest, PicturesOfTheApprovedStateAreFoundAndKeptByGc) {
   EXPECT_EQ(collect({}).removed, 3u) << "nothing else needs them";
 }
 
+// Two materials of one name: an approval is of both.
+TEST_F(ReportHistoryTest, CollectingKeepsTheApprovedPicturesOfEveryNamesake) {
+  row(1).name = row(0).name;
+  addNights(1);
+  m_nights.plant("asset", 0, 1);
+  figureOf(row(1), "flip.mean") = 0.1234;
+  row(1).pictures = picturesOf("approved");
+  addNights(1);
+  m_nights.plant("asset", 0, 1);
+  figureOf(row(1), "flip.mean") = 0.2345;
+  row(1).pictures = picturesOf("later");
+  addNights(2);
+  compare::Approvals approvals;
+  compare::Approval& entry = approvals.entries.emplace_back();
+  entry.scene = "scene 000", entry.view = "view 0", entry.material = row(0).name;
+  entry.metric = "flip.mean", entry.value = 0.1234;
+  const history::Store store(folder(), history::Store::For::collecting);
+  const auto collect = [&](const compare::Approvals& kept) {
+    return history::collectPictures(store.index(), folder(), "2027-01-01T00:00:00Z", kept, true).removed;
+  };
+  EXPECT_EQ(collect({}), 3u);
+  EXPECT_EQ(collect(approvals), 0u);
+}
+
 } // namespace
 } // namespace parity::tests

@@ -67,6 +67,9 @@ TEST_F(ExternalTest, APictureIsAPathThatIsJudgedByMaterial) {
   EXPECT_EQ(rows[1]["reference"], "highend");
   EXPECT_EQ(rows[1]["test"], "same");
   EXPECT_EQ(rows[1]["whole"]["figures"]["metrics"]["flip.mean"], 0);
+  for (const nlohmann::json& row : rows) // the page says by it why no cause is named
+    for (const nlohmann::json& material : row["materials"])
+      EXPECT_EQ(material.value("external", false), row["test"] != "mobile") << row["test"];
   for (const nlohmann::json& material : rows[1]["materials"])
     if (!material["figures"].is_null()) {
       EXPECT_EQ(flip(material), 0) << material["name"];
@@ -273,6 +276,10 @@ TEST_F(ExternalTest, SuitesAreRefusedInWords) {
   refused(external("mobile", "test = \"a.png\""), "a path has this name");
   refused(external("truth", "test = \"a.png\""), "reports use this name for something else");
   refused(external("x", "test = \"a.png\"\ntransfer = \"fitted\""), "'fitted' needs 'calibration'");
+  const std::string views = "[[scene.view]]\nname = \"left\"\norbit = [10, 20, 4]\n[[scene.view]]\nname = "
+                            "\"right\"\norbit = [50, 20, 4]\n";
+  refused(views + external("x", "test = \"a.png\""), "the views 'left' and 'right' have the same picture");
+  refused(views + external("x", "test = \"{view}.png\"\nreference = \"a.png\""), "have the same picture");
   refused(external("x", "test = \"a.png\"\nreference = \"b.png\"") + external("x reference", "test = \"c.png\""),
           "the reference of another one has it");
   refused(external("x", "test = \"a.png\"") + external("x", "test = \"b.png\""), "have the name 'x'");
