@@ -62,6 +62,26 @@ TEST(FittedCurve, OfEightBitsIsWithinWhatRoundingHides) {
   }
 }
 
+// Half way between two greys the cubic is (a + b) / 2 + width / 8 * (slope of a - slope of b), and a slope is the
+// harmonic mean of those beside it, weighted as in Fritsch and Butland (1984), equation 5.
+TEST(FittedCurve, SlopesAreThoseOfFritschAndButland) {
+  const auto valueOf = [](double i) { return 0.1 * i / 16 + 0.9 * std::pow(i / 16, 3); };
+  std::array<Rgb, kRampSteps> seen{};
+  for (std::size_t i = 0; i < kRampSteps; ++i) seen[i].fill(valueOf(static_cast<double>(i)));
+  const auto fit = FittedCurve::fit(seen);
+  ASSERT_TRUE(fit);
+  for (int i = 1; i < 15; ++i) {
+    const auto width = [&](int k) { return valueOf(k + 1) - valueOf(k); };
+    const auto slope = [&](int k) {
+      const double before = width(k - 1), after = width(k), w1 = 2 * after + before, w2 = after + 2 * before;
+      return (w1 + w2) / (w1 * 16 * before + w2 * 16 * after);
+    };
+    const double middle = (i + 0.5) / 16 + width(i) / 8 * (slope(i) - slope(i + 1));
+    const double value = 0.5 * (valueOf(i) + valueOf(i + 1));
+    EXPECT_NEAR(fit->light({value, value, value})[0], rampLight(middle), 1e-9) << i;
+  }
+}
+
 TEST(FittedCurve, ChannelsHaveCurvesOfTheirOwn) {
   std::array<Rgb, kRampSteps> seen{};
   for (std::size_t i = 0; i < kRampSteps; ++i) {
@@ -96,6 +116,7 @@ TEST(Encoding, SaysItsNameAndWhatIsClipped) {
   EXPECT_EQ(Encoding(Transfer::agx).name(), "agx");
   EXPECT_EQ(Encoding(*fitOf(gamma24, 255)).name(), kFitted);
   EXPECT_TRUE(Encoding(Transfer::srgb).isClipped({0.2, 1, 0.2}));
+  EXPECT_FALSE(Encoding(Transfer::srgb).isClipped({254 / 255.0, 0.5, 0}));
   EXPECT_FALSE(Encoding(Transfer::srgb).isClipped({0, 0.5, 0})) << "black is known to half a step";
   EXPECT_FALSE(Encoding(Transfer::linear).isClipped({7, 0, 1}));
   EXPECT_TRUE(Encoding(Transfer::linear).isLinear());
