@@ -21,7 +21,7 @@ file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/install/demo.toml CONTENT "${demo}" @O
 install(FILES ${CMAKE_BINARY_DIR}/install/demo.toml DESTINATION ${data}/suites)
 install(FILES scenes/data/nightly.example.toml DESTINATION ${data}/suites RENAME nightly.toml)
 install(FILES compare/verdict/budgets.example.toml DESTINATION ${data})
-install(FILES report/report.schema.json DESTINATION ${data})
+install(FILES report/report.schema.json integrations/contract.schema.json DESTINATION ${data})
 
 # What other machines' schedulers run, and adapters of other engines; the GitHub Action comes from the repository.
 install(DIRECTORY integrations/slurm integrations/kubernetes integrations/gitlab integrations/threejs integrations/blender
@@ -36,6 +36,7 @@ install(FILES scenes/README.md DESTINATION ${documents}/scenes)
 install(DIRECTORY integrations DESTINATION ${documents} FILES_MATCHING PATTERN README.md PATTERN github/install EXCLUDE
   PATTERN node_modules EXCLUDE)
 install(FILES compare/verdict/budgets.example.toml DESTINATION ${documents}/compare/verdict)
+install(FILES integrations/contract.schema.json DESTINATION ${documents}/integrations)
 
 # The licence and those of what is inside our files: static libraries, headers, letters, packages of the page.
 set(notices ${CMAKE_BINARY_DIR}/install/copyright)

@@ -21,6 +21,7 @@
 #include "base/image/jpeg_header.h"
 #include "base/image/pfm.h"
 #include "base/image/png_check.h"
+#include "base/image/png_write.h"
 #include "base/image/webp.h"
 #include "base/module_file.h"
 #include "base/parallel.h"
@@ -156,6 +157,15 @@ void checkWritable(const fs::path& file, const BasicImage<T>& image, const Write
     throw fileError(name, "", "a channel name is empty or used twice");
 }
 
+Image8 roundTo8(const Image& image) {
+  Image8 rounded(image.width, image.height, image.channels);
+  // Both comparisons are false for NaN, which is written as 0.
+  std::transform(image.pixels.begin(), image.pixels.end(), rounded.pixels.begin(), [](float v) {
+    return static_cast<std::uint8_t>(v >= 1 ? 255.0f : v > 0 ? v * 255.0f + 0.5f : 0.0f);
+  });
+  return rounded;
+}
+
 } // namespace
 
 Image readImage(const fs::path& file, const ImageLimits& limits) { return readImageFile(file, limits).pixels; }
@@ -227,6 +237,8 @@ bool isIntegerImage(const fs::path& file) { return readImageShape(file).integer;
 void writeImage(const fs::path& file, const Image& image, const WriteOptions& options) {
   checkWritable(file, image, options);
   if (extensionOf(file) == ".pfm") return writePfm(file, image);
+  if (extensionOf(file) == ".png")
+    return writeBytes(file, encodePng(roundTo8(image), options.pngCompression, file.string()));
   writeBytes(file, imageModule().encode(file, image, options));
 }
 
@@ -237,7 +249,7 @@ void writeImage8(const fs::path& file, const Image8& image, const WriteOptions& 
 std::vector<std::byte> encodeImage8(const fs::path& file, const Image8& image, const WriteOptions& options) {
   checkWritable(file, image, options);
   if (extensionOf(file) != ".png") throw fileError(file.string(), "", "8-bit images are written as .png only");
-  return imageModule().encode8(file, image, options);
+  return encodePng(image, options.pngCompression, file.string());
 }
 
 fs::path imageModuleFile() {

@@ -146,21 +146,20 @@ Image8 read8(const ImageSource& source, int channels) {
   });
 }
 
-// Into memory: on a full disk the library's own files come out short, and it reports no error (found with PNG and HDR).
-template <typename T> std::vector<std::byte> encodePixels(const fs::path& file, const BasicImage<T>& image,
-                                                          oiio::TypeDesc stored, const WriteOptions& options) {
+// Into memory: on a full disk the library's own files come out short, and it reports no error (found with HDR).
+std::vector<std::byte> encode(const fs::path& file, const Image& image, const WriteOptions& options) {
   const std::string name = file.string();
+  if (oiio::Strutil::iends_with(name, ".hdr"))
+    for (const float v : image.pixels)
+      if (!(v >= 0) || !std::isfinite(v))
+        throw fileError(name, "", "the format cannot hold negative or non-finite values; use .exr");
   return guarded(name, [&] {
     const oiio::ImageOutput::unique_ptr output = oiio::ImageOutput::create(name);
     if (!output || !output->supports("ioproxy"))
       throw fileError(name, "cannot be written", output ? "not through memory" : reasonOf(oiio::geterror(), name));
-    oiio::ImageSpec spec(image.width, image.height, image.channels, stored);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (std::string_view(output->format_name()) == "png") {
-      constexpr int kAverageFilter = 64; // PNG_FILTER_AVG: trying all five for each row costs more than it saves
-      spec.attribute("png:compressionLevel", options.pngCompression);
-      spec.attribute("png:filter", kAverageFilter);
-    } else if (std::string_view(output->format_name()) == "openexr") {
+    oiio::ImageSpec spec(image.width, image.height, image.channels,
+                         options.half ? oiio::TypeDesc::HALF : oiio::TypeDesc::FLOAT);
+    if (std::string_view(output->format_name()) == "openexr") {
       spec.attribute("compression", "zip");
       spec.attribute("DateTime", ""); // without one the library stores the present, and no two files would be equal
       if (!options.channelNames.empty()) {
@@ -172,31 +171,11 @@ template <typename T> std::vector<std::byte> encodePixels(const fs::path& file, 
     oiio::Filesystem::IOVecOutput memory(bytes);
     // Closing is where the last bytes come out.
     if (!output->set_ioproxy(&memory) || !output->open(name, spec) ||
-        !output->write_image(oiio::BaseTypeFromC<T>::value, image.pixels.data()) || !output->close())
+        !output->write_image(oiio::TypeDesc::FLOAT, image.pixels.data()) || !output->close())
       throw fileError(name, "cannot be written", reasonOf(output->geterror(), name));
     const auto* begin = reinterpret_cast<const std::byte*>(bytes.data());
     return std::vector<std::byte>(begin, begin + bytes.size());
   });
-}
-
-std::vector<std::byte> encode8(const fs::path& file, const Image8& image, const WriteOptions& options) {
-  return encodePixels(file, image, oiio::TypeDesc::UINT8, options);
-}
-
-std::vector<std::byte> encode(const fs::path& file, const Image& image, const WriteOptions& options) {
-  if (oiio::Strutil::iends_with(file.string(), ".png")) {
-    Image8 rounded(image.width, image.height, image.channels);
-    // Both comparisons are false for NaN, which is written as 0.
-    std::transform(image.pixels.begin(), image.pixels.end(), rounded.pixels.begin(), [](float v) {
-      return static_cast<std::uint8_t>(v >= 1 ? 255.0f : v > 0 ? v * 255.0f + 0.5f : 0.0f);
-    });
-    return encode8(file, rounded, options);
-  }
-  if (oiio::Strutil::iends_with(file.string(), ".hdr"))
-    for (const float v : image.pixels)
-      if (!(v >= 0) || !std::isfinite(v))
-        throw fileError(file.string(), "", "the format cannot hold negative or non-finite values; use .exr");
-  return encodePixels(file, image, options.half ? oiio::TypeDesc::HALF : oiio::TypeDesc::FLOAT, options);
 }
 
 void limitThreads(int threads) {
@@ -204,7 +183,7 @@ void limitThreads(int threads) {
   oiio::attribute("exr_threads", threads);
 }
 
-constexpr ImageModule kModule{kImageModuleVersion, limitThreads, readShape, read, readIntegers, read8, encode, encode8};
+constexpr ImageModule kModule{kImageModuleVersion, limitThreads, readShape, read, readIntegers, read8, encode};
 
 } // namespace
 

@@ -13,7 +13,7 @@
 
 namespace parity::base {
 
-inline constexpr int kImageModuleVersion = 5; // counts the changes of the structs below
+inline constexpr int kImageModuleVersion = 6; // counts the changes of the structs below
 inline constexpr int kMaxImageChannels = 1024;
 
 // One image to be read.
@@ -33,10 +33,8 @@ struct ImageModule {
   ImageFile (*read)(const ImageSource& source);
   BasicImage<std::uint32_t> (*readIntegers)(const ImageSource& source);
   Image8 (*read8)(const ImageSource& source, int channels);
-  // `file` tells the format, and is the name for messages; nothing is written to it.
+  // `file` tells the format (not PNG), and is the name for messages; nothing is written to it.
   std::vector<std::byte> (*encode)(const std::filesystem::path& file, const Image& image, const WriteOptions& options);
-  std::vector<std::byte> (*encode8)(const std::filesystem::path& file, const Image8& image,
-                                    const WriteOptions& options);
 };
 
 // The module exports `const ImageModule* parityImageModule()` with C linkage.

@@ -59,6 +59,17 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validatio
   }
 }
 
+// Keeps the drivers mapped: an instance that is destroyed unloads them, and the device's own would load them again.
+const vk::raii::Instance& lastingInstance(bool validation) {
+  static const vk::raii::Context context = makeContext();
+  if (validation) {
+    static const vk::raii::Instance instance = makeInstance(context, true);
+    return instance;
+  }
+  static const vk::raii::Instance instance = makeInstance(context, false);
+  return instance;
+}
+
 // Throws Error with the reasons of every refusal.
 DeviceChoice requireChoice(const std::vector<vk::raii::PhysicalDevice>& devices, const DeviceOptions& options) {
   DeviceChoice choice = chooseDevice(devices, options);
@@ -101,8 +112,7 @@ std::vector<DeviceReport> listDevices(const DeviceOptions& options) {
 }
 
 DeviceReport findDevice(const DeviceOptions& options) {
-  const vk::raii::Context context = makeContext();
-  const vk::raii::Instance instance = makeInstance(context, options.validation);
+  const vk::raii::Instance& instance = lastingInstance(options.validation);
   const DeviceChoice choice = requireChoice(instance.enumeratePhysicalDevices(), options);
   for (const DeviceReport& each : choice.reports)
     base::logDetail(fmt::format("device: {}: {}", each.description(), each.reason));
