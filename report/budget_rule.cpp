@@ -176,7 +176,7 @@ private:
     for (const ObservedSubject* each : m_group.subjects)
       parts.insert(each->notModelled.begin(), each->notModelled.end());
     accept(Accept::baseLayerOnly, where([](const ObservedSubject& each) { return !each.notModelled.empty(); }),
-           fmt::format("base layer only: no path models {}", fmt::join(parts, ", ")));
+           fmt::format("base layer only: parity does not model {}", fmt::join(parts, ", ")));
     const Subjects broken = where([](const ObservedSubject& each) { return each.nonFinite > 0; });
     accept(Accept::nonFinite, broken,
            fmt::format("{} NaN OR INFINITE in a view, which is a fault of a renderer and not a matter of limits",

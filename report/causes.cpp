@@ -49,7 +49,7 @@ std::string describeNoCause(const MaterialResult& material) {
   if (material.isExternal) return "a picture of another engine, whose terms are not known";
   if (!anyCheckFound(material)) {
     if (!material.notModelled.empty())
-      return fmt::format("base layer only: no path models {}", fmt::join(material.notModelled, ", "));
+      return fmt::format("base layer only: parity does not model {}", fmt::join(material.notModelled, ", "));
     if (!compare::describeClipping(material.figures).empty()) return "black or white in both pictures";
     if (material.baseline && !material.baseline->notComparable.empty()) return "not comparable to the baseline";
   }

@@ -127,7 +127,7 @@ Judgement judgeSeen(const compare::Figures& figures, std::vector<compare::CheckR
   const auto warnOfParts = [&](Judgement& judgement) {
     if (!notModelled.empty())
       warn(judgement, compare::Accept::baseLayerOnly,
-           fmt::format("base layer only: no path models {}", fmt::join(notModelled, ", ")));
+           fmt::format("base layer only: parity does not model {}", fmt::join(notModelled, ", ")));
   };
   if (figures.nonFinite > 0) {
     Judgement judgement = judgeNonFinite(figures, rule);

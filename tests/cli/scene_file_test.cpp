@@ -1,6 +1,7 @@
 // What is loaded of a scene's file, and what is said of it: parity info, choices, limits, balls.
 #include <algorithm>
 
+#include "base/file.h"
 #include "cli/checks.h"
 
 namespace parity::tests {
@@ -135,7 +136,7 @@ TEST_F(SceneFileTest, BallsShowEveryMaterialAndWhatIsNotModelledIsInTheReport) {
   for (const json& materials : {scene, balls}) {
     EXPECT_EQ(materials[0]["notModelled"], json({"clearcoat"}));
     EXPECT_EQ(materials[0]["verdict"], "warn") << "never a plain pass";
-    EXPECT_TRUE(contains(materials[0]["reason"], "base layer only: no path models clearcoat")) << materials[0];
+    EXPECT_TRUE(contains(materials[0]["reason"], "base layer only: parity does not model clearcoat")) << materials[0];
     for (const std::size_t plain : {1, 2}) EXPECT_EQ(materials[plain]["notModelled"], json::array());
   }
 }
@@ -161,6 +162,34 @@ TEST_F(SceneFileTest, ASuiteSaysWhichVariantAndWhetherBallsAreShown) {
   EXPECT_GT(pixelsOf(0, 1), 0) << "the variant's material";
   for (std::size_t m = 0; m < 3; ++m) EXPECT_GT(pixelsOf(1, m), 0);
   EXPECT_TRUE(exitedWith(64, runParity({"report", "--suite", suite, "-o", out, "--variant", "soft"})));
+}
+
+TEST_F(SceneFileTest, ATextureOfKtx2LooksLikeThePngThatItWasMadeOf) {
+  if (!std::filesystem::exists(std::filesystem::path(PARITY_BINARY_DIR) / "parity_basis.so"))
+    GTEST_SKIP() << "built without npm or wabt: no transcoder of KTX 2";
+  const auto pictureOf = [&](const std::string& name) {
+    const bool isKtx2 = name.ends_with(".ktx2");
+    GltfFile file = makeQuad();
+    const auto image = base::readFile(std::filesystem::path(PARITY_SOURCE_DIR) / "tests/base/data/ktx2" / name);
+    file.json["images"] = {
+        {{"bufferView", file.addBufferView(image)}, {"mimeType", isKtx2 ? "image/ktx2" : "image/png"}}};
+    file.json["textures"] = {isKtx2 ? json{{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}
+                                    : json{{"source", 0}}};
+    file.material()["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}};
+    const std::string picture = path(name + ".png");
+    EXPECT_TRUE(exitedWith(
+        0, runParity(
+               join({{"render", writeGlb(m_folder, file, name), "--path", "mobile", "-o", picture}, kSmall, kSun}))));
+    return picture;
+  };
+  const std::string source = pictureOf("basis.png");
+  for (const auto& [name, limit] : {std::pair("uastc.ktx2", 0.03), {"uastc_zstd.ktx2", 0.03}, {"etc1s.ktx2", 0.2}}) {
+    const RunResult result = runParity({"flip", source, pictureOf(name), "--json", "-"});
+    ASSERT_TRUE(exitedWith(0, result));
+    const double mean = json::parse(result.out)["pairs"][0]["pooling"]["mean"];
+    EXPECT_GT(mean, 0) << name << ": it is lossy";
+    EXPECT_LT(mean, limit) << name;
+  }
 }
 
 } // namespace

@@ -325,7 +325,7 @@ TEST(BudgetSuggest, SaysWhatItRestsOnAndWhatItAccepts) {
         "# Accepted: no view shows it\n[[material]]\nname = \"Screw\"\nreason = \"accepted as observed in 2 runs: no "
         "view shows it\"\naccept = [\"not seen\"]\npreset = \"default\"\n",
         "# Accepted: fewer than 64 pixels show it\n[[material]]\nname = \"Rivet\"\n",
-        "# Accepted: base layer only: no path models sheen\n",
+        "# Accepted: base layer only: parity does not model sheen\n",
         "\n# 2 runs: flip.mean 0.270 to 0.270, flip.p95 0.675 to 0.675\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }

@@ -37,7 +37,7 @@ TEST(Causes, WhatNoTermExplainsAndWhatWasNotAttributedAreTotalsOfTheirOwn) {
   materials[2].notModelled = {"sheen"};
   materials[2].verdict = compare::Verdict::warn;
   totals = totalsByCause(report);
-  EXPECT_EQ(totals[1].words, "base layer only: no path models sheen");
+  EXPECT_EQ(totals[1].words, "base layer only: parity does not model sheen");
   materials[1].figures.nonFinite = 3;
   EXPECT_EQ(totalsByCause(report)[0].words, "NaN or infinite pixels");
 }

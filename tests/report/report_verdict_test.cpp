@@ -434,17 +434,17 @@ TEST(Verdict, WhatNoPathModelsIsNeverAPlainPass) {
   materialOf(report).notModelled = {"clearcoat", "sheen"};
   settleVerdicts(report);
   EXPECT_EQ(report.verdict, compare::Verdict::warn);
-  EXPECT_EQ(materialOf(report).reason, "base layer only: no path models clearcoat, sheen");
+  EXPECT_EQ(materialOf(report).reason, "base layer only: parity does not model clearcoat, sheen");
   EXPECT_EQ(exitCode(report, true), 1);
 
   Report clipped = withClipping(report, 0.2, 0);
   EXPECT_EQ(materialOf(clipped).reason, "20.0 % of the pixels are black in both pictures; raise --exposure; base layer "
-                                        "only: no path models clearcoat, sheen");
+                                        "only: parity does not model clearcoat, sheen");
   Report failed = reportOf(0.25);
   materialOf(failed).notModelled = {"clearcoat"};
   settleVerdicts(failed);
   EXPECT_EQ(failed.verdict, compare::Verdict::fail);
-  EXPECT_TRUE(materialOf(failed).reason.ends_with("; base layer only: no path models clearcoat"))
+  EXPECT_TRUE(materialOf(failed).reason.ends_with("; base layer only: parity does not model clearcoat"))
       << materialOf(failed).reason;
   Report unseen = reportOf(0, 0);
   materialOf(unseen).notModelled = {"clearcoat"};

@@ -47,7 +47,7 @@ function noCauseOf(material: Material): string {
   if (verdict === "error") return "could not be judged";
   if (material.attribution) return "no single term explains it";
   if (!checks.some((check) => ["warn", "fail", "error"].includes(check.verdict))) {
-    if ((material.notModelled ?? []).length > 0) return `base layer only: no path models ${(material.notModelled ?? []).join(", ")}`;
+    if ((material.notModelled ?? []).length > 0) return `base layer only: parity does not model ${(material.notModelled ?? []).join(", ")}`;
     if ((figures.clippedBlack ?? 0) + (figures.clippedWhite ?? 0) >= 0.05) return "black or white in both pictures";
     if ((baseline?.notComparable ?? "") !== "") return "not comparable to the baseline";
   }

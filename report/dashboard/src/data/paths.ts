@@ -1,8 +1,10 @@
-// What the paths are called on the page.
+// What the paths are called on the page. The name of another engine stays as its user wrote it.
 
-/** "High-end" for "highend"; others with a capital. */
+const kTitles: Record<string, string> = { highend: "High-end", mobile: "Mobile", truth: "Truth" };
+
+/** "High-end" for "highend", as a title has it. */
 export function pathTitle(path: string): string {
-  return path === "highend" ? "High-end" : path.charAt(0).toUpperCase() + path.slice(1);
+  return kTitles[path] ?? path;
 }
 
 /** The same within a sentence. */

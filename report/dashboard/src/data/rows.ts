@@ -216,9 +216,9 @@ export function checkOf(row: Row, metric: string): Limit | null {
   return row.limits.find((check) => check.metric === metric) ?? null;
 }
 
-/** "base layer only: no path models clearcoat, sheen"; "" where all is modelled. */
+/** "base layer only: parity does not model clearcoat, sheen"; "" where all is modelled. */
 export function baseLayerText(notModelled: readonly string[]): string {
-  return notModelled.length === 0 ? "" : `base layer only: no path models ${notModelled.join(", ")}`;
+  return notModelled.length === 0 ? "" : `base layer only: parity does not model ${notModelled.join(", ")}`;
 }
 
 /** Materials not seen in a view but in another one do not count, and have no row. */

@@ -25,7 +25,7 @@ describe("the lights that mobile drops", () => {
 
   it("are counted, measured or not", () => {
     expect(describeDropped(kDropped, "mobile")).toBe("Mobile drops 3 of 5 lights");
-    expect(describeDropped(kDropped, "lambert")).toBe("Lambert drops 3 of 5 lights");
+    expect(describeDropped(kDropped, "lambert")).toBe("lambert drops 3 of 5 lights");
     expect(describeDropped({ lights: 1, measured: [], notMeasured: ["sun"] }, "mobile")).toBe("Mobile drops 1 of 1 light");
   });
 });

@@ -231,7 +231,7 @@ describe("what is neither passed nor failed", () => {
   });
 
   it("says and finds what no path models, whatever the verdict is", () => {
-    expect(baseLayerText(["clearcoat", "sheen"])).toBe("base layer only: no path models clearcoat, sheen");
+    expect(baseLayerText(["clearcoat", "sheen"])).toBe("base layer only: parity does not model clearcoat, sheen");
     expect(baseLayerText([])).toBe("");
     expect(found({ query: "clearcoat" })).toEqual(["Coat", "Bad"]);
     expect(found({ query: "base layer" })).toEqual(["Coat", "Bad"]);
