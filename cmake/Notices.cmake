@@ -1,6 +1,7 @@
-# cmake -D OUT=copyright -D LICENCE=LICENSE [-D PAGE=report/dashboard] -P Notices.cmake
+# cmake -D OUT=copyright -D LICENCE=LICENSE [-D PAGE=report/dashboard] [-D BASIS=ON] -P Notices.cmake
 # Writes our licence and those of all that our files hold of others: not of the shared libraries that they load.
-# PAGE: the folder of the page, whose packages are part of the program. A licence that is missing is an error.
+# PAGE: the folder of the page, whose packages are part of the program. BASIS: there is a parity_basis.so. A licence that is
+# missing is an error.
 
 # Packages of Debian: what of them ends up inside.
 set(packages
@@ -21,6 +22,10 @@ set(packages
   libkissfft-dev "KISS FFT, a header"
   fonts-dejavu-core "DejaVu Sans, whose letters stand in the pictures of `parity plot`")
 
+if(BASIS)
+  list(APPEND packages wabt "WABT, whose wasm2c wrote the C code of parity_basis.so")
+endif()
+
 file(READ ${LICENCE} text)
 set(out "parity\n\n${text}\n\nThis program holds parts of the following works. Each is under the licence that stands below its name.\n")
 
@@ -38,6 +43,13 @@ while(packages)
   file(READ ${file} text)
   add_notice("${what}" "${text}")
 endwhile()
+
+if(BASIS)
+  set(file /usr/share/common-licenses/Apache-2.0) # of the package base-files, which every Debian has
+  file(READ ${file} text)
+  add_notice("Basis Universal's transcoder, copyright Binomial LLC, in parity_basis.so (with Zstandard, BSD, copyright Meta Platforms)"
+             "${text}")
+endif()
 
 if(PAGE)
   file(READ ${PAGE}/package-lock.json lock)

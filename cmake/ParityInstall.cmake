@@ -9,7 +9,11 @@ set(documents ${CMAKE_INSTALL_DATADIR}/doc/parity)
 
 set_target_properties(parity PROPERTIES INSTALL_RPATH "$ORIGIN/../${modules}")
 install(TARGETS parity RUNTIME DESTINATION bin)
-install(TARGETS parity_draco parity_imageio parity_etc2 LIBRARY DESTINATION ${modules})
+set(libraries parity_draco parity_imageio parity_etc2)
+if(TARGET parity_basis)
+  list(APPEND libraries parity_basis)
+endif()
+install(TARGETS ${libraries} LIBRARY DESTINATION ${modules})
 
 # Suites and budgets to start from. A copy of the demo's suite bakes into a folder beside itself.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS scenes/data/demo.toml)
@@ -47,6 +51,7 @@ endif()
 add_custom_command(
   OUTPUT ${notices}
   COMMAND ${CMAKE_COMMAND} -D OUT=${notices} -D LICENCE=${CMAKE_SOURCE_DIR}/LICENSE -D PAGE=${page}
+          -D BASIS=$<TARGET_EXISTS:parity_basis>
           -P ${CMAKE_SOURCE_DIR}/cmake/Notices.cmake
   DEPENDS LICENSE cmake/Notices.cmake $<$<BOOL:${PARITY_DASHBOARD}>:${page}/node_modules/.package-lock.json>
   COMMENT "Licences of what the program holds"
@@ -96,7 +101,7 @@ install(FILES ${guide}/parity.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/ven
 
 # All that is installed: what scripts/package builds.
 add_custom_target(parity_installed
-  DEPENDS parity parity_draco parity_imageio parity_etc2 parity_notices parity_changelog parity_guide)
+  DEPENDS parity ${libraries} parity_notices parity_changelog parity_guide)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME parity)

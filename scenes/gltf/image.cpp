@@ -9,6 +9,7 @@
 #include "base/file.h"
 #include "base/image/image_io.h"
 #include "base/image/jpeg_check.h"
+#include "base/image/ktx2.h"
 #include "base/parallel.h"
 #include "scenes/gltf/file/image_header.h"
 
@@ -23,8 +24,9 @@ struct Encoded {
   std::vector<std::byte> file;
   std::span<const std::byte> bytes;
   SourceFile source;
-  bool isUsable = false, isJpeg = false;
-  std::string damage; // of a JPEG, in libjpeg's words
+  bool isUsable = false, isJpeg = false, isKtx2 = false;
+  std::size_t decoderBytes = 0; // beside the texels, while it is decoded
+  std::string damage;           // of a JPEG, in libjpeg's words
 };
 
 void readEncoded(const GltfDocument& document, const GltfImageSource& source, Encoded& encoded) {
@@ -50,10 +52,19 @@ std::size_t checkHeader(const GltfDocument& document, Encoded& encoded, std::siz
   const LoadOptions& options = document.options;
   const auto fail = [&](const std::string& reason) { return document.error(encoded.place, reason); };
   if (encoded.bytes.empty()) throw fail("the image is empty");
-  const ImageHeader header = readImageHeader(encoded.bytes);
-  if (header.format == ImageFormat::ktx2)
-    throw fail("is a KTX 2 image, expected PNG, JPEG or WebP: parity has no Basis Universal transcoder");
-  if (header.format == ImageFormat::unknown) throw fail("is not a PNG, JPEG or WebP image");
+  ImageHeader header = readImageHeader(encoded.bytes);
+  if (header.format == ImageFormat::unknown) throw fail("is not a PNG, JPEG, WebP or KTX 2 image");
+  encoded.isKtx2 = header.format == ImageFormat::ktx2;
+  if (encoded.isKtx2) {
+    try {
+      const base::Ktx2Header ktx2 = base::readKtx2Header(encoded.bytes, encoded.place);
+      header.width = static_cast<std::size_t>(ktx2.width);
+      header.height = static_cast<std::size_t>(ktx2.height);
+      encoded.decoderBytes = ktx2.transcoderBytes;
+    } catch (const base::Error& error) {
+      throw fail(error.reason());
+    }
+  }
   if (header.width == 0 || header.height == 0) throw fail("has a width or height of 0, or a truncated header");
   if (std::max(header.width, header.height) > options.maxImageSide)
     throw fail(fmt::format("has {}x{} pixels, expected at most {} a side (--max-image)", header.width, header.height,
@@ -63,7 +74,7 @@ std::size_t checkHeader(const GltfDocument& document, Encoded& encoded, std::siz
     throw fail(
         fmt::format("the images of the scene have more than {} texels together (--max-image)", options.maxImageTexels));
   if (header.isCutOff) throw fail("is truncated: the end marker is missing");
-  document.memory.take(texels * 4, encoded.place);
+  document.memory.take(texels * 4 + encoded.decoderBytes, encoded.place);
   encoded.isJpeg = header.format == ImageFormat::jpeg;
   return texels;
 }
@@ -90,13 +101,15 @@ DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>&
       decoded.images[i].name = document.images[static_cast<std::size_t>(used[i])].name;
       if (!all[i].isUsable) continue;
       try {
-        decoded.images[i].pixels =
-            base::decodeImage8(all[i].bytes, decoded.images[i].name, 4, {.maxBytes = document.options.maxMemoryBytes});
+        const std::string& name = decoded.images[i].name;
+        const base::ImageLimits limits = {.maxBytes = document.options.maxMemoryBytes};
+        decoded.images[i].pixels = all[i].isKtx2 ? base::decodeKtx2(all[i].bytes, name, limits)
+                                                 : base::decodeImage8(all[i].bytes, name, 4, limits);
         if (all[i].isJpeg) all[i].damage = base::findJpegDamage(all[i].bytes);
       } catch (const base::Error& error) {
         failed[i] = document.error(all[i].place, error.reason());
       }
-      document.memory.release(all[i].file.size());
+      document.memory.release(all[i].file.size() + all[i].decoderBytes);
       std::vector<std::byte>().swap(all[i].file);
     }
   });

@@ -71,20 +71,14 @@ Sampler samplerOf(const GltfDocument& document, int index) {
   return sampler;
 }
 
-// The image that a texture shows: WebP where it has one, else PNG or JPEG. Basis Universal has no decoder here: files
-// that use it mostly have a fallback.
+// The image that a texture shows: KTX 2 or WebP where it has one, as the extensions ask for; else PNG or JPEG, which is
+// then for programs that read neither.
 int imageOf(const GltfDocument& document, const tinygltf::Texture& texture, int index, const std::string& place) {
-  const auto find = [&](const char* extension) {
-    const auto found = texture.extensions.find(extension);
-    return found == texture.extensions.end() ? -1 : found->second.Get("source").GetNumberAsInt();
-  };
-  if (const int webp = find("EXT_texture_webp"); webp >= 0) return webp;
+  for (const char* extension : {"KHR_texture_basisu", "EXT_texture_webp"})
+    if (const auto found = texture.extensions.find(extension); found != texture.extensions.end())
+      return found->second.Get("source").GetNumberAsInt();
   if (texture.source >= 0) return texture.source;
-  throw document.error(fmt::format("{} (/textures/{})", place, index),
-                       find("KHR_texture_basisu") >= 0
-                           ? "has only a Basis Universal image (KHR_texture_basisu), expected also a PNG, JPEG or WebP "
-                             "image: parity has no transcoder"
-                           : "has no image");
+  throw document.error(fmt::format("{} (/textures/{})", place, index), "has no image");
 }
 
 glm::dvec2 pairOf(const tinygltf::Value& value, const char* key, glm::dvec2 otherwise) {

@@ -5,6 +5,7 @@
 
 #include <webp/encode.h>
 
+#include "base/file.h"
 #include "fuzz/seed_parts.h"
 #include "scenes/gltf/gltf_writer.h"
 
@@ -170,11 +171,20 @@ std::map<std::string, Bytes> makeGltfSeeds() {
   GltfFile webp = makeTextured(makeWebp(true), "image/webp");
   use(webp, {"EXT_texture_webp"}, true);
   webp.json["textures"][0] = {{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}};
+  const auto makeBasis = [](const char* name) {
+    const std::filesystem::path data = std::filesystem::path(PARITY_SOURCE_DIR) / "tests/base/data/ktx2";
+    GltfFile file = makeTextured(base::readFile(data / name), "image/ktx2");
+    use(file, {"KHR_texture_basisu"}, true);
+    file.json["textures"][0] = {{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}};
+    return file;
+  };
   GltfFile dataImage = makeTextured(makePng(2, 2), "image/png");
   dataImage.json["images"][0] = {{"uri", "data:image/png;base64," + encodeBase64(makePng(2, 2))}};
   const std::map<std::string, GltfFile> files = {{"quad", makeQuad()},
                                                  {"png", makeTextured(makePng(3, 3), "image/png")},
                                                  {"jpeg", makeTextured(makeJpeg(), "image/jpeg")},
+                                                 {"basis-etc1s", makeBasis("etc1s.ktx2")},
+                                                 {"basis-uastc", makeBasis("uastc_zstd.ktx2")},
                                                  {"webp", webp},
                                                  {"webp-lossy", makeTextured(makeWebp(false), "image/webp")},
                                                  {"data-image", dataImage},

@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 16> kSupported = {"EXT_mesh_gpu_instancin
                                                          "KHR_materials_unlit",
                                                          "KHR_materials_variants",
                                                          "KHR_mesh_quantization",
-                                                         "KHR_texture_basisu", // by its fallback image
+                                                         "KHR_texture_basisu",
                                                          "KHR_texture_transform",
                                                          "KHR_xmp", // say nothing of looks
                                                          "KHR_xmp_json_ld"};

@@ -275,7 +275,7 @@ void expectImageRefused(const std::vector<std::byte>& bytes, std::vector<std::st
 
 TEST(BadInput, ImagesThatDoNotDecode) {
   const std::vector<std::byte> png = makePng(64, 64);
-  expectImageRefused(std::vector<std::byte>(40, std::byte{7}), {"is not a PNG, JPEG or WebP image"});
+  expectImageRefused(std::vector<std::byte>(40, std::byte{7}), {"is not a PNG, JPEG, WebP or KTX 2 image"});
   expectImageRefused({png.begin(), png.begin() + 20}, {"truncated header"});
   expectImageRefused({png.begin(), png.begin() + static_cast<std::ptrdiff_t>(png.size() / 2)}, {});
   std::vector<std::byte> zero = png;
@@ -293,12 +293,14 @@ TEST(BadInput, ImagesThatDoNotDecode) {
       {"/images/0 'absent.png'"});
   expectRefused(
       [](GltfFile& f) {
-        f.json["images"] = {{{"uri", "a.ktx2"}}};
+        const std::string head("\xabKTX 20\xbb\r\n\x1a\n", 12);
+        const auto* bytes = reinterpret_cast<const std::byte*>(head.data());
+        f.json["images"] = {{{"bufferView", f.addBufferView(std::vector<std::byte>(bytes, bytes + head.size()))},
+                             {"mimeType", "image/ktx2"}}};
         f.json["textures"] = {{{"extensions", {{"KHR_texture_basisu", {{"source", 0}}}}}}};
         f.material()["normalTexture"] = {{"index", 0}};
       },
-      {"/materials/0/normalTexture (/textures/0): has only a Basis Universal image (KHR_texture_basisu), expected also "
-       "a PNG"});
+      {"/images/0", "the KTX 2 image is truncated: its header ends beyond the file"});
   expectRefused("/images", json::array({json::object()}), {"/images/0: needs either a uri"});
   expectRefused("/images", {{{"uri", "../../x.png"}}},
                 {"/images/0/uri: '../../x.png' points outside the asset's folder"});
