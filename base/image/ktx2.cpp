@@ -91,7 +91,8 @@ Image8 decodeKtx2(std::span<const std::byte> bytes, const std::string& name, con
   checkImageBytes(name, fmt::format("a KTX 2 image of {} x {} pixels", header.width, header.height),
                   header.transcoderBytes + image.pixels.size(), limits.maxBytes);
   static const DecodeBasis decode = loadTranscoder(); // tried again after a failure
-  const std::string damage = decode(bytes, header.transcoderBytes, image.pixels);
+  std::string damage;
+  decode(bytes, header.transcoderBytes, image.pixels, damage);
   if (!damage.empty()) throw fileError(name, "cannot be decoded", "the KTX 2 image: " + damage);
   return image;
 }

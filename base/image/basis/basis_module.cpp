@@ -248,13 +248,15 @@ private:
 
 } // namespace parity::base
 
-extern "C" __attribute__((visibility("default"))) std::string
-parityDecodeBasis(std::span<const std::byte> file, std::size_t memory, std::span<std::uint8_t> texels) {
+extern "C" __attribute__((visibility("default"))) void parityDecodeBasis(std::span<const std::byte> file,
+                                                                         std::size_t memory,
+                                                                         std::span<std::uint8_t> texels,
+                                                                         std::string& damage) {
   constexpr std::size_t kPageBytes = 65536, kMostPages = 65535;
   parity::base::setWasmPages(static_cast<std::uint32_t>(std::min(memory / kPageBytes, kMostPages)));
   try {
-    return parity::base::Transcoder(file, texels).run();
+    damage = parity::base::Transcoder(file, texels).run();
   } catch (const parity::base::WasmTrap& trap) {
-    return std::string("cannot be transcoded: ") + trap.what();
+    damage = std::string("cannot be transcoded: ") + trap.what();
   }
 }
