@@ -37,7 +37,7 @@ template <typename Call> Caught errorOf(Call&& call) {
 template <typename Call>
 std::string expectError(Call&& call, const std::vector<std::string>& parts, ExitCode code = ExitCode::failed) {
   const Caught error = errorOf(call);
-  const std::string message = error.what();
+  std::string message = error.what();
   EXPECT_EQ(error.code(), code) << message;
   for (const std::string& part : parts)
     EXPECT_NE(message.find(part), std::string::npos) << "no '" << part << "' in: " << message;
