@@ -23,7 +23,8 @@ set(packages
   fonts-dejavu-core "DejaVu Sans, whose letters stand in the pictures of `parity plot`")
 
 if(BASIS)
-  list(APPEND packages wabt "WABT, whose wasm2c wrote the C code of parity_basis.so")
+  list(APPEND packages wabt "WABT, whose wasm2c wrote the C code of parity_basis.so"
+       libzstd1 "Zstandard, whose decoder is a part of that code")
 endif()
 
 file(READ ${LICENCE} text)
@@ -47,7 +48,7 @@ endwhile()
 if(BASIS)
   set(file /usr/share/common-licenses/Apache-2.0) # of the package base-files, which every Debian has
   file(READ ${file} text)
-  add_notice("Basis Universal's transcoder, copyright Binomial LLC, in parity_basis.so (with Zstandard, BSD, copyright Meta Platforms)"
+  add_notice("Basis Universal's transcoder, copyright Binomial LLC, in parity_basis.so"
              "${text}")
 endif()
 

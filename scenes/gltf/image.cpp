@@ -2,7 +2,10 @@
 #include "scenes/gltf/image.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <optional>
+#include <semaphore>
 
 #include <fmt/format.h>
 
@@ -25,7 +28,7 @@ struct Encoded {
   std::span<const std::byte> bytes;
   SourceFile source;
   bool isUsable = false, isJpeg = false, isKtx2 = false;
-  std::size_t decoderBytes = 0; // beside the texels, while it is decoded
+  std::size_t decoderBytes = 0; // that decoding takes beside file and texels
   std::string damage;           // of a JPEG, in libjpeg's words
 };
 
@@ -74,9 +77,33 @@ std::size_t checkHeader(const GltfDocument& document, Encoded& encoded, std::siz
     throw fail(
         fmt::format("the images of the scene have more than {} texels together (--max-image)", options.maxImageTexels));
   if (header.isCutOff) throw fail("is truncated: the end marker is missing");
-  document.memory.take(texels * 4 + encoded.decoderBytes, encoded.place);
+  document.memory.take(texels * 4, encoded.place);
   encoded.isJpeg = header.format == ImageFormat::jpeg;
   return texels;
+}
+
+// However many threads there are, so many KTX 2 images are decoded at a time: what they take together is then the same
+// on every machine.
+constexpr std::ptrdiff_t kTranscoders = 4;
+
+// One of them, as long as this lives.
+class Turn {
+public:
+  explicit Turn(std::counting_semaphore<>& turns) : m_turns(turns) { m_turns.acquire(); }
+  ~Turn() { m_turns.release(); }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+private:
+  std::counting_semaphore<>& m_turns;
+};
+
+std::size_t transcoderBytes(const std::vector<Encoded>& all) {
+  std::vector<std::size_t> bytes;
+  for (const Encoded& each : all) bytes.push_back(each.decoderBytes);
+  std::sort(bytes.begin(), bytes.end(), std::greater<>());
+  bytes.resize(std::min(bytes.size(), static_cast<std::size_t>(kTranscoders)));
+  return std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
 }
 
 } // namespace
@@ -96,6 +123,10 @@ DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>&
   DecodedImages decoded;
   decoded.images.resize(used.size());
   std::vector<std::optional<base::Error>> failed(used.size());
+  std::counting_semaphore<> transcoders(kTranscoders);
+  std::optional<MemoryCharge> charge;
+  problems.attempt([&] { charge.emplace(document.memory, transcoderBytes(all), "/images"); });
+  if (!charge) return decoded;
   base::parallelFor(used.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       decoded.images[i].name = document.images[static_cast<std::size_t>(used[i])].name;
@@ -103,13 +134,16 @@ DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>&
       try {
         const std::string& name = decoded.images[i].name;
         const base::ImageLimits limits = {.maxBytes = document.options.maxMemoryBytes};
-        decoded.images[i].pixels = all[i].isKtx2 ? base::decodeKtx2(all[i].bytes, name, limits)
-                                                 : base::decodeImage8(all[i].bytes, name, 4, limits);
+        if (all[i].isKtx2) {
+          const Turn turn(transcoders);
+          decoded.images[i].pixels = base::decodeKtx2(all[i].bytes, name, limits);
+        } else
+          decoded.images[i].pixels = base::decodeImage8(all[i].bytes, name, 4, limits);
         if (all[i].isJpeg) all[i].damage = base::findJpegDamage(all[i].bytes);
       } catch (const base::Error& error) {
         failed[i] = document.error(all[i].place, error.reason());
       }
-      document.memory.release(all[i].file.size() + all[i].decoderBytes);
+      document.memory.release(all[i].file.size());
       std::vector<std::byte>().swap(all[i].file);
     }
   });

@@ -16,8 +16,6 @@ namespace parity::base {
 
 namespace {
 
-using Instance = Z_basis_transcoder_instance_t;
-
 // A JavaScript value, as far as the transcoder asks for any.
 struct Value {
   enum class Kind { nothing, text, number, input, output, type, module, buffer, view } kind = Kind::nothing;
@@ -99,6 +97,7 @@ namespace {
 
 using Host = Z_a_instance_t;
 using Kind = Host::Kind;
+using parity::base::kArgumentBytes;
 
 [[noreturn]] void refuse(const char* reason) { throw parity::base::WasmTrap(reason); }
 
@@ -160,8 +159,8 @@ f64 Z_aZ_p(Host* host, u32, u32 object, u32 method, u32, u32 arguments) { // _em
 
 f64 Z_aZ_q(Host* host, u32, u32, u32, u32 arguments) { // _emval_call: new Uint8Array(buffer, place, size)
   return host->add({.kind = Kind::view,
-                    .place = host->word(arguments + parity::base::kArgumentBytes),
-                    .size = host->word(arguments + 2 * parity::base::kArgumentBytes)});
+                    .place = host->word(arguments + kArgumentBytes),
+                    .size = host->word(arguments + 2 * kArgumentBytes)});
 }
 
 u32 Z_aZ_r(Host* host, u32) { return host->add({.kind = Kind::module}); } // _emval_get_module_property: HEAP8

@@ -79,6 +79,32 @@ TEST(GltfTextures, BasisUniversalIsReadBeforeItsFallback) {
   EXPECT_EQ(load("etc1s.ktx2", {{"extensions", basis}}).images.at(0).pixels.height, 30);
 }
 
+// Four are decoded at a time on every machine: the transcoder's memory counts for these, not for all images of a scene.
+TEST(GltfTextures, ManyOfBasisUniversalFitIntoTheLimitOfMemory) {
+  if (!std::filesystem::exists(std::filesystem::path(PARITY_BINARY_DIR) / "parity_basis.so"))
+    GTEST_SKIP() << "built without npm or wabt: no transcoder of KTX 2";
+  const std::vector<std::byte> image =
+      base::readFile(std::filesystem::path(PARITY_SOURCE_DIR) / "tests/base/data/ktx2/uastc.ktx2");
+  const auto load = [&](std::size_t mebibytes) {
+    const TempFolder folder;
+    GltfFile file = makeQuad();
+    const json material = file.material();
+    for (int i = 0; i < 12; ++i) {
+      file.json["images"].push_back({{"bufferView", file.addBufferView(image)}, {"mimeType", "image/ktx2"}});
+      file.json["textures"].push_back({{"extensions", {{"KHR_texture_basisu", {{"source", i}}}}}});
+      file.json["materials"][i] = material;
+      file.json["materials"][i]["pbrMetallicRoughness"] = {{"baseColorTexture", {{"index", i}}}};
+      file.json["meshes"][0]["primitives"][i] = file.json["meshes"][0]["primitives"][0];
+      file.json["meshes"][0]["primitives"][i]["material"] = i;
+    }
+    scenes::LoadOptions options;
+    options.maxMemoryBytes = mebibytes << 20;
+    return scenes::loadScene(writeEmbedded(folder, file), options).images.size();
+  };
+  EXPECT_EQ(load(200), 12u) << "32 MiB for each would be 384";
+  expectError([&] { load(20); }, {"/images: needs 129 MiB", "--max-memory"});
+}
+
 std::vector<std::byte> bytesOf(const std::string& text) {
   const auto* begin = reinterpret_cast<const std::byte*>(text.data());
   return {begin, begin + text.size()};
