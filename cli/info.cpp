@@ -36,6 +36,10 @@ Json materialsJson(const scenes::Scene& scene, const scenes::SceneInfo& info) {
                     {"roughness", material.roughness},
                     {"f0", toJson(info.materials[m].f0)},
                     {"emissive", toJson(material.emissive)},
+                    {"coat", material.coat},
+                    {"coatRoughness", material.coatRoughness},
+                    {"sheenColor", toJson(material.sheenColor)},
+                    {"sheenRoughness", material.sheenRoughness},
                     {"alphaMode", kAlphaModes[static_cast<int>(material.alphaMode)]},
                     {"alphaCutoff", material.alphaCutoff},
                     {"textures", info.materials[m].textures},
@@ -92,6 +96,22 @@ void printNames(const char* what, const std::vector<std::string>& names) {
   cli::print("{:<11} {}\n", what, fmt::join(shown, ", "));
 }
 
+// The flags, those with the numbers that belong to them.
+std::vector<std::string> flagsWithValues(const scenes::Material& material, const scenes::MaterialInfo& info) {
+  std::vector<std::string> flags;
+  const glm::vec3& sheen = material.sheenColor;
+  for (const std::string& flag : info.flags)
+    flags.push_back(flag == "alpha mask" ? fmt::format("alpha mask below {:.3g}", material.alphaCutoff)
+                    : flag == "coat"
+                        ? fmt::format("coat {:.3g} of roughness {:.3g}", material.coat, material.coatRoughness)
+                    : flag == "sheen" ? fmt::format("sheen ({:.3g}, {:.3g}, {:.3g}) of roughness {:.3g}", sheen.x,
+                                                    sheen.y, sheen.z, material.sheenRoughness)
+                                      : flag);
+  if (!material.notModelled.empty())
+    flags.push_back(fmt::format("not modelled: {}", fmt::join(material.notModelled, ", ")));
+  return flags;
+}
+
 void printInfo(const std::string& file, const scenes::Scene& scene, const scenes::SceneInfo& info) {
   const scenes::SourceFacts& facts = scene.facts;
   cli::print("{}\n", file);
@@ -134,13 +154,9 @@ void printInfo(const std::string& file, const scenes::Scene& scene, const scenes
   cli::print("\n{:<{}} {:>10} {:>8} {:>9}  {}\n", "material", width, "triangles", "metallic", "roughness", "flags");
   for (std::size_t m = 0; m < info.materials.size(); ++m) {
     const scenes::MaterialInfo& material = info.materials[m];
-    std::vector<std::string> flags = material.flags;
-    std::replace(flags.begin(), flags.end(), std::string("alpha mask"),
-                 fmt::format("alpha mask below {:.3g}", scene.materials[m].alphaCutoff));
-    if (!scene.materials[m].notModelled.empty())
-      flags.push_back(fmt::format("not modelled: {}", fmt::join(scene.materials[m].notModelled, ", ")));
     cli::print("{:<{}} {:>10} {:>8.3g} {:>9.3g}  {}\n", material.name, width, material.triangles,
-               scene.materials[m].metallic, scene.materials[m].roughness, fmt::join(flags, ", "));
+               scene.materials[m].metallic, scene.materials[m].roughness,
+               fmt::join(flagsWithValues(scene.materials[m], material), ", "));
     for (const std::string& texture : material.textures) cli::print("{:<{}}   {}\n", "", width, texture);
   }
 }

@@ -26,7 +26,8 @@ struct CardInput {
   std::optional<CardTexture> texture;
 };
 inline constexpr const char* kCardInputs =
-    "baseColor|opacity|metallic|roughness|normal|occlusion|emissive|specular|specularColor";
+    "baseColor|opacity|metallic|roughness|normal|occlusion|emissive|specular|specularColor|coat|coatRoughness|"
+    "coatNormal|sheenColor|sheenRoughness";
 
 struct MaterialCard {
   std::string name;

@@ -41,6 +41,13 @@ Bounds orEmpty(const Bounds& bounds) { return bounds.lower.x <= bounds.upper.x ?
 
 } // namespace
 
+bool Scene::hasLobes() const {
+  return std::ranges::any_of(meshes, [&](const Mesh& mesh) {
+    const Material& material = materials[mesh.material];
+    return material.hasCoat() || material.hasSheen();
+  });
+}
+
 Bounds Scene::boundsOf(std::size_t instance) const {
   Bounds bounds = kNowhere;
   extend(bounds, instances[instance], meshes[instances[instance].mesh]);

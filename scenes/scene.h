@@ -76,7 +76,11 @@ struct Material {
   float ior = 1.5f;        // KHR_materials_ior
   float specular = 1;      // KHR_materials_specular
   glm::vec3 specularColor{1.f};
-  std::vector<std::string> notModelled; // what the file gives it and no path shows: "clearcoat"
+  float coat = 0, coatRoughness = 0; // KHR_materials_clearcoat: a layer of F0 .04 over all else; 0: none
+  float coatNormalScale = 1;         // of the coat's own normal map; it does not read the base's
+  glm::vec3 sheenColor{0.f}; // KHR_materials_sheen, linear, [0, 1]: fibres over the base, below the coat; 0: none
+  float sheenRoughness = 0;
+  std::vector<std::string> notModelled; // what the file gives it and no path shows: "anisotropy"
   TextureSlot baseColorTexture;         // RGB sRGB, A linear
   TextureSlot metallicRoughnessTexture; // G roughness, B metallic
   TextureSlot normalTexture;            // tangent space, +Y up (OpenGL)
@@ -84,10 +88,18 @@ struct Material {
   TextureSlot emissiveTexture;          // sRGB
   TextureSlot specularTexture;          // A
   TextureSlot specularColorTexture;     // sRGB
+  TextureSlot coatTexture;              // R
+  TextureSlot coatRoughnessTexture;     // G
+  TextureSlot coatNormalTexture;        // as normalTexture
+  TextureSlot sheenColorTexture;        // sRGB
+  TextureSlot sheenRoughnessTexture;    // A
 
   // Dielectric F0 before textures, linear RGB, clamped to [0,1]: ((ior-1)/(ior+1))^2 * specularColor * specular.
   // glTF's default gives exactly 0.04 = UE's Specular 0.5.
   glm::vec3 dielectricF0() const;
+  // Whether it has the layer at all. An unlit material has none.
+  bool hasCoat() const { return coat > 0 && !unlit; }
+  bool hasSheen() const { return sheenColor != glm::vec3(0) && !unlit; }
   // Metallic exactly 0 with no texture that could raise it, and F0 exactly 0.04 untinted (docs/design.md 6c).
   bool isNonmetal() const;
 };
@@ -178,6 +190,7 @@ struct Scene {
   std::optional<Fog> fog;
   std::vector<std::string> warnings; // one line each: what was ignored, replaced or cleaned
 
+  bool hasLobes() const;                       // a material that a mesh shows has a coat or sheen
   Bounds boundsOf(std::size_t instance) const; // world space, over its triangles; empty at the origin without any
   Bounds bounds() const;                       // world space, over all instances' triangles
   std::size_t triangleCount() const;           // over instances

@@ -1,24 +1,12 @@
 // What is in a scene, in numbers and words.
 #include "scenes/scene_info.h"
 
-#include <array>
-
 #include <fmt/format.h>
+
+#include "scenes/texture_slots.h"
 
 namespace parity::scenes {
 namespace {
-
-struct NamedSlot {
-  const char* name;
-  TextureSlot Material::*slot;
-};
-constexpr std::array<NamedSlot, 7> kSlots = {{{"base color", &Material::baseColorTexture},
-                                              {"metallic-roughness", &Material::metallicRoughnessTexture},
-                                              {"normal", &Material::normalTexture},
-                                              {"occlusion", &Material::occlusionTexture},
-                                              {"emissive", &Material::emissiveTexture},
-                                              {"specular", &Material::specularTexture},
-                                              {"specular color", &Material::specularColorTexture}}};
 
 template <typename T> std::size_t bytesOf(const std::vector<T>& values) { return values.size() * sizeof(T); }
 
@@ -32,7 +20,7 @@ MaterialInfo describe(const Scene& scene, const Material& material, std::size_t 
   info.name = material.name;
   info.f0 = material.dielectricF0();
   info.triangles = triangles;
-  for (const NamedSlot& each : kSlots)
+  for (const NamedSlot& each : kTextureSlots)
     if (const TextureSlot& slot = material.*each.slot; slot.present()) {
       const TextureImage& image = scene.images[static_cast<std::size_t>(slot.image)];
       info.textures.push_back(image.pixels.pixels.empty() ? fmt::format("{}: {}", each.name, image.name)
@@ -49,6 +37,8 @@ MaterialInfo describe(const Scene& scene, const Material& material, std::size_t 
   add(material.normalTexture.present(), "normal map");
   add(hasColors, "vertex colours");
   add(material.emissive != glm::vec3(0), "emissive");
+  add(material.hasCoat(), "coat");
+  add(material.hasSheen(), "sheen");
   add(material.alphaMode == AlphaMode::mask, "alpha mask");
   add(material.alphaMode == AlphaMode::blend, "alpha blend");
   add(material.doubleSided, "double-sided");

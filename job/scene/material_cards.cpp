@@ -92,6 +92,17 @@ private:
       add("specular", {shortest(m.specular)}, {m.specularTexture, "a"});
     if (m.specularColor != glm::vec3(1) || m.specularColorTexture.present())
       add("specularColor", valuesOf(m.specularColor), {m.specularColorTexture, "rgb", true});
+    if (m.hasCoat()) {
+      add("coat", {shortest(m.coat)}, {m.coatTexture, "r"});
+      add("coatRoughness", {shortest(m.coatRoughness)}, {m.coatRoughnessTexture, "g"});
+    }
+    if (m.hasCoat() && m.coatNormalTexture.present())
+      add("coatNormal", {shortest(m.coatNormalScale)},
+          {.texture = m.coatNormalTexture, .channels = "rgb", .isNormal = true});
+    if (m.hasSheen()) {
+      add("sheenColor", valuesOf(m.sheenColor), {m.sheenColorTexture, "rgb", true});
+      add("sheenRoughness", {shortest(m.sheenRoughness)}, {m.sheenRoughnessTexture, "a"});
+    }
     constexpr const char* kModes[] = {"opaque", "mask", "blend"};
     card.alphaMode = kModes[static_cast<std::size_t>(m.alphaMode)];
     if (m.alphaMode == AlphaMode::mask) card.alphaCutoff = shortest(m.alphaCutoff);

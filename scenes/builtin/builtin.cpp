@@ -12,14 +12,16 @@
 #include "scenes/builtin/builtin_scenes.h"
 #include "scenes/builtin/procedural_environment.h"
 #include "scenes/gltf/tangents.h"
+#include "scenes/texture_slots.h"
 #include "scenes/view.h"
 
 namespace parity::scenes {
 namespace {
 
 using SceneMaker = Scene (*)();
-constexpr std::array<std::pair<std::string_view, SceneMaker>, 8> kScenes = {{{"materials", makeMaterialsScene},
+constexpr std::array<std::pair<std::string_view, SceneMaker>, 9> kScenes = {{{"materials", makeMaterialsScene},
                                                                              {"spheres", makeSpheresScene},
+                                                                             {"lobes", makeLobesScene},
                                                                              {"lights", makeLightsScene},
                                                                              {"lamps", makeLampsScene},
                                                                              {"shadows", makeShadowsScene},
@@ -65,7 +67,7 @@ TextureSlot SceneBuilder::texture(TextureImage image, float repeats) {
 std::uint32_t SceneBuilder::addMesh(Mesh mesh, const Material& material) {
   mesh.name = material.name;
   mesh.material = static_cast<std::uint32_t>(m_scene.materials.size());
-  if (material.normalTexture.present()) makeTangents(mesh, material.normalTexture.texCoord);
+  if (const TextureSlot* slot = tangentSlotOf(material)) makeTangents(mesh, slot->texCoord);
   m_scene.materials.push_back(material);
   m_scene.meshes.push_back(std::move(mesh));
   return static_cast<std::uint32_t>(m_scene.meshes.size() - 1);

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "scenes/builtin/shapes.h"
 #include "scenes/gltf/tangents.h"
+#include "scenes/texture_slots.h"
 
 namespace parity::scenes {
 namespace {
@@ -60,7 +61,7 @@ Scene makeMaterialBalls(Scene scene) {
     Mesh mesh = ball;
     mesh.name = fmt::format("ball {}", m);
     mesh.material = static_cast<std::uint32_t>(m);
-    if (const TextureSlot& slot = scene.materials[m].normalTexture; slot.present()) makeTangents(mesh, slot.texCoord);
+    if (const TextureSlot* slot = tangentSlotOf(scene.materials[m])) makeTangents(mesh, slot->texCoord);
     const std::size_t column = m % columns, row = m / columns;
     const glm::vec3 center(static_cast<float>(column) - 0.5f * static_cast<float>(columns - 1),
                            0.5f * static_cast<float>(rows - 1) - static_cast<float>(row), 0.f);

@@ -16,17 +16,13 @@
 #include "base/parallel.h"
 #include "base/text/text.h"
 #include "scenes/gltf/texture.h"
+#include "scenes/texture_slots.h"
 
 namespace parity::scenes {
 
 namespace {
 
 using tinygltf::Value;
-
-std::array<const TextureSlot*, 7> slotsOf(const Material& m) {
-  return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture,       &m.occlusionTexture,
-          &m.emissiveTexture,  &m.specularTexture,          &m.specularColorTexture};
-}
 
 int codeOf(Wrap wrap) {
   return wrap == Wrap::repeat           ? TINYGLTF_TEXTURE_WRAP_REPEAT
@@ -59,8 +55,8 @@ private:
   void addImages() {
     std::set<int> used;
     for (const Material& material : m_scene.materials)
-      for (const TextureSlot* slot : slotsOf(material))
-        if (slot->present()) used.insert(slot->image);
+      for (const NamedSlot& each : kTextureSlots)
+        if (const TextureSlot& slot = material.*each.slot; slot.present()) used.insert(slot.image);
     std::vector<std::vector<std::byte>> files(used.size());
     std::vector<std::function<void()>> tasks;
     for (const int image : used) {
@@ -136,13 +132,25 @@ private:
       info.extensions["KHR_texture_transform"] = std::move(*transform);
   }
 
-  // A textureInfo within an extension.
-  Value textureInfo(const TextureSlot& slot, const char* key) {
+  // Into an extension: numbers and colours that are not at their default, textures that are there.
+  static void addNumber(Value::Object& object, const char* key, float value, float otherwise) {
+    if (value != otherwise) object[key] = Value(static_cast<double>(value));
+  }
+  static void addColor(Value::Object& object, const char* key, const glm::vec3& value, float otherwise) {
+    const glm::dvec3 color(value);
+    if (value != glm::vec3(otherwise)) object[key] = gltfArray(std::array{color.x, color.y, color.z});
+  }
+  void addTexture(Value::Object& object, const char* key, const TextureSlot& slot, float scale = 1) {
+    if (!slot.present()) return;
     Value::Object info{{"index", Value(textureOf(slot))}};
     if (slot.texCoord != 0) info["texCoord"] = Value(slot.texCoord);
+    addNumber(info, "scale", scale, 1);
     if (std::optional<Value> transform = transformOf(slot, key))
       info["extensions"] = gltfObject({{"KHR_texture_transform", std::move(*transform)}});
-    return gltfObject(std::move(info));
+    object[key] = gltfObject(std::move(info));
+  }
+  void addExtension(tinygltf::Material& out, const char* name, Value::Object members) {
+    if (!members.empty()) out.extensions[name] = useExtension(name, gltfObject(std::move(members)));
   }
 
   void fillEmission(tinygltf::Material& out, const glm::vec3& emissive) {
@@ -165,16 +173,30 @@ private:
       out.extensions["KHR_materials_ior"] =
           useExtension("KHR_materials_ior", gltfObject({{"ior", Value(static_cast<double>(material.ior))}}));
     Value::Object specular;
-    if (material.specular != 1) specular["specularFactor"] = Value(static_cast<double>(material.specular));
-    const glm::dvec3 color(material.specularColor);
-    if (color != glm::dvec3(1)) specular["specularColorFactor"] = gltfArray(std::array{color.x, color.y, color.z});
-    if (material.specularTexture.present())
-      specular["specularTexture"] = textureInfo(material.specularTexture, "specularTexture");
-    if (material.specularColorTexture.present())
-      specular["specularColorTexture"] = textureInfo(material.specularColorTexture, "specularColorTexture");
-    if (!specular.empty())
-      out.extensions["KHR_materials_specular"] =
-          useExtension("KHR_materials_specular", gltfObject(std::move(specular)));
+    addNumber(specular, "specularFactor", material.specular, 1);
+    addColor(specular, "specularColorFactor", material.specularColor, 1);
+    addTexture(specular, "specularTexture", material.specularTexture);
+    addTexture(specular, "specularColorTexture", material.specularColorTexture);
+    addExtension(out, "KHR_materials_specular", std::move(specular));
+  }
+
+  void fillCoat(tinygltf::Material& out, const Material& material) {
+    Value::Object coat;
+    addNumber(coat, "clearcoatFactor", material.coat, 0);
+    addNumber(coat, "clearcoatRoughnessFactor", material.coatRoughness, 0);
+    addTexture(coat, "clearcoatTexture", material.coatTexture);
+    addTexture(coat, "clearcoatRoughnessTexture", material.coatRoughnessTexture);
+    addTexture(coat, "clearcoatNormalTexture", material.coatNormalTexture, material.coatNormalScale);
+    addExtension(out, "KHR_materials_clearcoat", std::move(coat));
+  }
+
+  void fillSheen(tinygltf::Material& out, const Material& material) {
+    Value::Object sheen;
+    addColor(sheen, "sheenColorFactor", material.sheenColor, 0);
+    addNumber(sheen, "sheenRoughnessFactor", material.sheenRoughness, 0);
+    addTexture(sheen, "sheenColorTexture", material.sheenColorTexture);
+    addTexture(sheen, "sheenRoughnessTexture", material.sheenRoughnessTexture);
+    addExtension(out, "KHR_materials_sheen", std::move(sheen));
   }
 
   tinygltf::Material describe(const Material& material) {
@@ -200,6 +222,8 @@ private:
     out.doubleSided = material.doubleSided;
     if (material.unlit) out.extensions["KHR_materials_unlit"] = useExtension("KHR_materials_unlit", gltfObject());
     fillSpecular(out, material);
+    fillCoat(out, material);
+    fillSheen(out, material);
     if (material.fullyRough) out.extras = gltfObject({{"fullyRough", Value(true)}});
     return out;
   }

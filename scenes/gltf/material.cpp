@@ -2,7 +2,6 @@
 #include "scenes/gltf/material.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include <fmt/format.h>
@@ -11,14 +10,10 @@
 #include "scenes/gltf/file/extensions.h"
 #include "scenes/gltf/texture.h"
 #include "scenes/names.h"
+#include "scenes/texture_slots.h"
 
 namespace parity::scenes {
 namespace {
-
-std::array<TextureSlot*, 7> slotsOf(Material& m) {
-  return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture,       &m.occlusionTexture,
-          &m.emissiveTexture,  &m.specularTexture,          &m.specularColorTexture};
-}
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
@@ -41,6 +36,7 @@ public:
                             extras.Get("fullyRough").Get<bool>();
     dropIdleTextures();
     sets = chooseUvSets();
+    checkFrames(sets);
     return std::move(m_material);
   }
 
@@ -106,6 +102,8 @@ private:
       m_material.ior = ior == 0 ? 0 : clamp(ior, 1, kInf, "ior"); // 0 is defined: it reflects all
     }
     if (const tinygltf::Value* value = extension("KHR_materials_specular")) readSpecular(*value);
+    if (const tinygltf::Value* value = extension("KHR_materials_clearcoat")) readCoat(*value);
+    if (const tinygltf::Value* value = extension("KHR_materials_sheen")) readSheen(*value);
     constexpr const char* kGlossiness = "KHR_materials_pbrSpecularGlossiness"; // goes before metallic-roughness
     if (const tinygltf::Value* value = extension(kGlossiness))
       readSpecularGlossiness(m_document, *value, fmt::format("{}/extensions/{}", m_place, kGlossiness), m_material,
@@ -116,44 +114,80 @@ private:
     for (int i = 0; i < 3; ++i) m_material.emissive[i] = std::min(m_material.emissive[i], 3.4e38f);
   }
 
+  // Of an extension: what it does not say stays at its default.
+  void readFactor(const tinygltf::Value& value, const char* key, float& factor) {
+    if (value.Has(key)) factor = clamp(value.Get(key).GetNumberAsDouble(), 0, 1, key);
+  }
+  void readColor(const tinygltf::Value& value, const char* key, float upper, glm::vec3& color) {
+    if (!value.Has(key)) return;
+    for (int i = 0; i < 3; ++i) color[i] = clamp(value.Get(key).Get(i).GetNumberAsDouble(), 0, upper, key);
+  }
+  void readTexture(const tinygltf::Value& value, const char* key, const char* extension, TextureSlot& slot) {
+    if (value.Has(key))
+      slot = readTextureSlot(m_document, value.Get(key), fmt::format("{}/extensions/{}/{}", m_place, extension, key));
+  }
+
   void readSpecular(const tinygltf::Value& value) {
-    if (value.Has("specularFactor"))
-      m_material.specular = clamp(value.Get("specularFactor").GetNumberAsDouble(), 0, 1, "specularFactor");
-    if (value.Has("specularColorFactor"))
-      for (int i = 0; i < 3; ++i)
-        m_material.specularColor[i] =
-            clamp(value.Get("specularColorFactor").Get(i).GetNumberAsDouble(), 0, kInf, "specularColorFactor");
-    const auto read = [&](const char* key) {
-      return value.Has(key) ? readTextureSlot(m_document, value.Get(key),
-                                              fmt::format("{}/extensions/KHR_materials_specular/{}", m_place, key))
-                            : TextureSlot{};
-    };
-    m_material.specularTexture = read("specularTexture");
-    m_material.specularColorTexture = read("specularColorTexture");
+    constexpr const char* kName = "KHR_materials_specular";
+    readFactor(value, "specularFactor", m_material.specular);
+    readColor(value, "specularColorFactor", kInf, m_material.specularColor);
+    readTexture(value, "specularTexture", kName, m_material.specularTexture);
+    readTexture(value, "specularColorTexture", kName, m_material.specularColorTexture);
+  }
+
+  void readCoat(const tinygltf::Value& value) {
+    constexpr const char *kName = "KHR_materials_clearcoat", *kNormal = "clearcoatNormalTexture";
+    readFactor(value, "clearcoatFactor", m_material.coat);
+    readFactor(value, "clearcoatRoughnessFactor", m_material.coatRoughness);
+    readTexture(value, "clearcoatTexture", kName, m_material.coatTexture);
+    readTexture(value, "clearcoatRoughnessTexture", kName, m_material.coatRoughnessTexture);
+    readTexture(value, kNormal, kName, m_material.coatNormalTexture);
+    if (value.Has(kNormal) && value.Get(kNormal).Has("scale"))
+      m_material.coatNormalScale = static_cast<float>(value.Get(kNormal).Get("scale").GetNumberAsDouble());
+  }
+
+  void readSheen(const tinygltf::Value& value) {
+    constexpr const char* kName = "KHR_materials_sheen";
+    readColor(value, "sheenColorFactor", 1, m_material.sheenColor);
+    readFactor(value, "sheenRoughnessFactor", m_material.sheenRoughness);
+    readTexture(value, "sheenColorTexture", kName, m_material.sheenColorTexture);
+    readTexture(value, "sheenRoughnessTexture", kName, m_material.sheenRoughnessTexture);
   }
 
   // A mesh has two uv sets; a material that reads others has them put in their place.
   UvSets chooseUvSets() {
     std::vector<int> sets;
-    for (TextureSlot* slot : slotsOf(m_material))
-      if (slot->present() && std::find(sets.begin(), sets.end(), slot->texCoord) == sets.end())
-        sets.push_back(slot->texCoord);
+    for (const NamedSlot& each : kTextureSlots)
+      if (const TextureSlot& slot = m_material.*each.slot;
+          slot.present() && std::find(sets.begin(), sets.end(), slot.texCoord) == sets.end())
+        sets.push_back(slot.texCoord);
     std::sort(sets.begin(), sets.end());
     if (sets.empty() || sets.back() <= 1) return {};
     const UvSets chosen{sets[0], sets.size() > 1 ? sets[1] : sets[0]};
-    for (TextureSlot* slot : slotsOf(m_material)) {
-      if (!slot->present()) continue;
-      if (slot->texCoord == chosen.first)
-        slot->texCoord = 0;
-      else if (slot->texCoord == chosen.second)
-        slot->texCoord = 1;
+    for (const NamedSlot& each : kTextureSlots) {
+      TextureSlot& slot = m_material.*each.slot;
+      if (!slot.present()) continue;
+      if (slot.texCoord == chosen.first)
+        slot.texCoord = 0;
+      else if (slot.texCoord == chosen.second)
+        slot.texCoord = 1;
       else {
         addNotModelled(
-            fmt::format("a texture uses TEXCOORD_{}, a third uv set; at most two are supported", slot->texCoord));
-        *slot = {};
+            fmt::format("a texture uses TEXCOORD_{}, a third uv set; at most two are supported", slot.texCoord));
+        slot = {};
       }
     }
     return chosen;
+  }
+
+  // A mesh has one tangent at a vertex, of the base's normal map.
+  void checkFrames(const UvSets& sets) {
+    const TextureSlot &base = m_material.normalTexture, &coat = m_material.coatNormalTexture;
+    if (!base.present() || !coat.present() || base.texCoord == coat.texCoord) return;
+    const auto numberOf = [&](const TextureSlot& slot) { return slot.texCoord == 0 ? sets.first : sets.second; };
+    m_warnings.push_back(fmt::format("{}: the normal map of the coat uses TEXCOORD_{}, that of the base TEXCOORD_{}; "
+                                     "both take their tangents from the base's, so the coat's bumps may be turned",
+                                     m_place, numberOf(coat), numberOf(base)));
   }
 
   void addNotModelled(std::string what) {
@@ -167,9 +201,14 @@ private:
     if (m_material.occlusionStrength == 0) m_material.occlusionTexture = {};
     const bool neverDielectric = m_material.metallic == 1 && !m_material.metallicRoughnessTexture.present();
     if (m_material.specular == 0 || neverDielectric) m_material.specularTexture = m_material.specularColorTexture = {};
+    if (!m_material.hasCoat())
+      m_material.coatTexture = m_material.coatRoughnessTexture = m_material.coatNormalTexture = {};
+    if (m_material.coatRoughness == 0) m_material.coatRoughnessTexture = {};
+    if (!m_material.hasSheen()) m_material.sheenColorTexture = m_material.sheenRoughnessTexture = {};
+    if (m_material.sheenRoughness == 0) m_material.sheenRoughnessTexture = {};
     if (!m_material.unlit) return;
-    m_material.metallicRoughnessTexture = m_material.normalTexture = m_material.occlusionTexture = {};
-    m_material.emissiveTexture = m_material.specularTexture = m_material.specularColorTexture = {};
+    for (const NamedSlot& each : kTextureSlots)
+      if (each.slot != &Material::baseColorTexture) m_material.*each.slot = {};
   }
 
   const GltfDocument& m_document;

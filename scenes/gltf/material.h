@@ -23,8 +23,9 @@ struct GltfMaterials {
 };
 
 // Reads all materials; texture slots count in document.images and then in `derived`. Factors out of their range are
-// clamped with a warning; slots that cannot change anything (an emissive texture times 0, all but the base colour of an
-// unlit material) are left out. `needsDefault` appends the default material of glTF. What is wrong goes to `problems`.
+// clamped with a warning; slots that cannot change anything (an emissive texture times 0, those of a coat of 0, all but
+// the base colour of an unlit material) are left out. `needsDefault` appends the default material of glTF. What is
+// wrong goes to `problems`.
 GltfMaterials readMaterials(const GltfDocument& document, bool needsDefault, Problems& problems,
                             std::vector<std::string>& warnings);
 

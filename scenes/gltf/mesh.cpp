@@ -11,6 +11,7 @@
 #include "scenes/gltf/primitive.h"
 #include "scenes/gltf/tangents.h"
 #include "scenes/names.h"
+#include "scenes/texture_slots.h"
 
 namespace parity::scenes {
 namespace {
@@ -53,17 +54,12 @@ void readTexCoords(const PrimitiveReader& reader, Mesh& mesh, const Material& ma
   if (sets.second != sets.first)
     if (const auto view = reader.attribute(fmt::format("TEXCOORD_{}", sets.second), warnings))
       mesh.uv1 = view->readVec2();
-  for (const auto& [key, slot] : {std::pair("baseColorTexture", &material.baseColorTexture),
-                                  {"metallicRoughnessTexture", &material.metallicRoughnessTexture},
-                                  {"normalTexture", &material.normalTexture},
-                                  {"occlusionTexture", &material.occlusionTexture},
-                                  {"emissiveTexture", &material.emissiveTexture},
-                                  {"specularTexture", &material.specularTexture},
-                                  {"specularColorTexture", &material.specularColorTexture}})
-    if (slot->present() && (slot->texCoord == 0 ? mesh.uv0 : mesh.uv1).empty())
+  for (const NamedSlot& each : kTextureSlots)
+    if (const TextureSlot& slot = material.*each.slot;
+        slot.present() && (slot.texCoord == 0 ? mesh.uv0 : mesh.uv1).empty())
       warnings.push_back(
           fmt::format("{}: the {} of material '{}' needs TEXCOORD_{}, which the mesh lacks; it is read at (0,0)",
-                      reader.place(), key, material.name, slot->texCoord == 0 ? sets.first : sets.second));
+                      reader.place(), each.key, material.name, slot.texCoord == 0 ? sets.first : sets.second));
 }
 
 std::size_t bytesOfVertex(const Mesh& mesh) {
@@ -89,8 +85,8 @@ void finishFrames(Mesh& mesh, const Material& material, MemoryBudget& memory, co
     if (const BrokenDirections broken = mendTangents(mesh); broken.any())
       warnings.push_back(
           fmt::format("{}: arbitrary perpendicular tangents replace {}", place, describe(broken, "tangent")));
-  } else if (material.normalTexture.present())
-    if (const std::size_t count = makeTangentsCounted(mesh, material.normalTexture.texCoord, memory, place))
+  } else if (const TextureSlot* slot = tangentSlotOf(material))
+    if (const std::size_t count = makeTangentsCounted(mesh, slot->texCoord, memory, place))
       warnings.push_back(fmt::format("{}: {} vertices have no uv area, so their tangents are arbitrary", place, count));
 }
 
@@ -142,7 +138,7 @@ GltfPrimitive buildPrimitive(const GltfDocument& document, int meshIndex, int pr
   const auto normals = reader.attribute("NORMAL", warnings), tangents = reader.attribute("TANGENT", warnings);
   if (normals) mesh.normals = normals->readVec3Unchecked();
   // Without normals in the file its tangents have no meaning (glTF 2.0, 3.7.2.1).
-  if (normals && tangents && material.normalTexture.present()) mesh.tangents = tangents->readVec4Unchecked();
+  if (normals && tangents && tangentSlotOf(material)) mesh.tangents = tangents->readVec4Unchecked();
 
   applyMorphTargets(reader, pose.weights, uvSets, mesh, warnings);
   result.isSkinned = pose.skin && applySkin(reader, *pose.skin, mesh, warnings);

@@ -30,8 +30,9 @@ struct MeshPose {
 std::size_t estimateBytes(const GltfDocument& document, int mesh, int primitive);
 
 // Reads attributes and indices, turns strips and fans into lists, applies morph targets and skin, and generates what is
-// missing: flat normals, and tangents if the material has a normal map. `material` is the one that the primitive is
-// drawn with, uvSets its uv sets. Throws Error (exit 4) with the place: "/meshes/0/primitives/1/attributes/POSITION".
+// missing: flat normals, and tangents if the material or its coat has a normal map. `material` is the one that the
+// primitive is drawn with, uvSets its uv sets. Throws Error (exit 4) with the place:
+// "/meshes/0/primitives/1/attributes/POSITION".
 GltfPrimitive buildPrimitive(const GltfDocument& document, int mesh, int primitive, std::uint32_t materialIndex,
                              const Material& material, const UvSets& uvSets, const MeshPose& pose);
 

@@ -7,15 +7,14 @@
 
 #include "scenes/gltf/image.h"
 #include "scenes/names.h"
+#include "scenes/texture_slots.h"
 
 namespace parity::scenes {
 namespace {
 
 template <typename Body> void forEachSlot(Material& material, const Body& body) {
-  for (TextureSlot* slot : {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                            &material.occlusionTexture, &material.emissiveTexture, &material.specularTexture,
-                            &material.specularColorTexture})
-    if (slot->present()) body(*slot);
+  for (const NamedSlot& each : kTextureSlots)
+    if (TextureSlot& slot = material.*each.slot; slot.present()) body(slot);
 }
 
 // Sorted, each once.

@@ -4,6 +4,7 @@
 
 #include "scenes/gltf/mesh_repair.h"
 #include "scenes/gltf/tangents.h"
+#include "scenes/texture_slots.h"
 #include "study/stress/scene_parts.h"
 
 namespace parity::stress {
@@ -93,12 +94,23 @@ scenes::Material randomMaterial(Dice& dice, StressScene& s) {
   if (dice.chance(3)) m.specular = dice.factor();
   if (dice.chance(3)) m.specularColor = dice.color() * 4.f;
   float least = m.roughness;
-  for (scenes::TextureSlot* slot :
-       {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture,
-        &m.specularTexture, &m.specularColorTexture})
-    if (dice.chance(8)) { // few: a driver takes long over shaders that read many
-      *slot = randomTexture(dice, s.scene);
-      if (slot == &m.metallicRoughnessTexture) least *= leastGreen(s.scene.images.back());
+  if (dice.chance(3)) {
+    m.coat = dice.factor();
+    m.coatRoughness = dice.factor();
+    m.coatNormalScale = dice.between(0, 3);
+  }
+  if (dice.chance(3)) {
+    m.sheenColor = dice.color();
+    m.sheenRoughness = dice.factor();
+  }
+  const auto isRead = [&](const scenes::NamedSlot& each) {
+    const std::string_view key = each.key;
+    return key.starts_with("clearcoat") ? m.hasCoat() : !key.starts_with("sheen") || m.hasSheen();
+  };
+  for (const scenes::NamedSlot& each : scenes::kTextureSlots)
+    if (isRead(each) && dice.chance(8)) { // few: a driver takes long over shaders that read many
+      m.*each.slot = randomTexture(dice, s.scene);
+      if (each.slot == &scenes::Material::metallicRoughnessTexture) least *= leastGreen(s.scene.images.back());
     }
   s.leastRoughness.push_back(least);
   return m;
@@ -137,7 +149,7 @@ void addObject(Dice& dice, StressScene& s) {
     mesh = triangleSoup(dice);
   }
   const scenes::Material material = randomMaterial(dice, s);
-  if (material.normalTexture.present()) scenes::makeTangents(mesh, 0);
+  if (scenes::tangentSlotOf(material)) scenes::makeTangents(mesh, 0);
   mesh.material = static_cast<std::uint32_t>(s.scene.materials.size());
   glm::mat4 toWorld = glm::translate(glm::mat4(1.f), dice.direction() * dice.between(0, 0.8f));
   toWorld = glm::rotate(toWorld, dice.between(0, 6.2831853f), dice.direction());

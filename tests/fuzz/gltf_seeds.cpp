@@ -56,7 +56,7 @@ namespace {
 GltfFile makeMaterials() {
   GltfFile file = makeTextured(makePng(3, 3), "image/png");
   use(file, {"KHR_texture_transform", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_emissive_strength",
-             "KHR_materials_unlit", "KHR_materials_clearcoat"});
+             "KHR_materials_unlit", "KHR_materials_anisotropy"});
   const json transform = {
       {"KHR_texture_transform", {{"offset", {0.5, 0}}, {"rotation", 1}, {"scale", {2, -1}}, {"texCoord", 0}}}};
   file.json["materials"] = {{{"name", "a"},
@@ -79,7 +79,7 @@ GltfFile makeMaterials() {
                                  {"specularColorFactor", {1, 0.5, 0.25}},
                                  {"specularColorTexture", {{"index", 0}}}}},
                                {"KHR_materials_ior", {{"ior", 1.4}}},
-                               {"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}},
+                               {"KHR_materials_anisotropy", {{"anisotropyStrength", 1}}},
                                {"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}},
                             {{"name", "b"},
                              {"alphaMode", "BLEND"},
@@ -88,6 +88,28 @@ GltfFile makeMaterials() {
   json second = file.primitive();
   second["material"] = 1;
   file.json["meshes"][0]["primitives"].push_back(second);
+  return file;
+}
+
+// A coat and a sheen with all that they can have; the coat's normal map reads another uv set than the base's.
+GltfFile makeLobes() {
+  GltfFile file = makeTextured(makePng(3, 3), "image/png");
+  use(file, {"KHR_texture_transform", "KHR_materials_clearcoat", "KHR_materials_sheen"}, true);
+  file.primitive()["attributes"]["TEXCOORD_1"] = file.primitive()["attributes"]["TEXCOORD_0"];
+  const json transform = {{"KHR_texture_transform", {{"offset", {0, 0.5}}, {"scale", {2, 2}}, {"texCoord", 1}}}};
+  file.material() = {{"normalTexture", {{"index", 0}}},
+                     {"extensions",
+                      {{"KHR_materials_clearcoat",
+                        {{"clearcoatFactor", 0.5},
+                         {"clearcoatTexture", {{"index", 0}}},
+                         {"clearcoatRoughnessFactor", 0.25},
+                         {"clearcoatRoughnessTexture", {{"index", 0}, {"extensions", transform}}},
+                         {"clearcoatNormalTexture", {{"index", 0}, {"texCoord", 1}, {"scale", 2}}}}},
+                       {"KHR_materials_sheen",
+                        {{"sheenColorFactor", {1, 0.5, 0.25}},
+                         {"sheenColorTexture", {{"index", 0}}},
+                         {"sheenRoughnessFactor", 0.5},
+                         {"sheenRoughnessTexture", {{"index", 0}}}}}}}};
   return file;
 }
 
@@ -189,6 +211,7 @@ std::map<std::string, Bytes> makeGltfSeeds() {
                                                  {"webp-lossy", makeTextured(makeWebp(false), "image/webp")},
                                                  {"data-image", dataImage},
                                                  {"materials", makeMaterials()},
+                                                 {"lobes", makeLobes()},
                                                  {"specular-glossiness", makeSpecularGlossiness()},
                                                  {"variants", makeVariants()},
                                                  {"lights-cameras", makeLightsAndCameras()},

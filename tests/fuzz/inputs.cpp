@@ -17,6 +17,7 @@
 #include "scenes/builtin/material_balls.h"
 #include "scenes/load.h"
 #include "scenes/scene_info.h"
+#include "scenes/texture_slots.h"
 
 namespace parity::tests {
 namespace {
@@ -58,11 +59,14 @@ std::string findFault(const scenes::Scene& scene) {
       if (!isFinite(instance.toWorld[c])) return "an instance whose place is not finite";
   }
   for (const scenes::Material& material : scene.materials)
-    for (const scenes::TextureSlot* slot :
-         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-          &material.occlusionTexture, &material.emissiveTexture, &material.specularTexture,
-          &material.specularColorTexture})
-      if (slot->image >= static_cast<int>(scene.images.size())) return "a texture of no image";
+    for (const scenes::NamedSlot& each : scenes::kTextureSlots)
+      if ((material.*each.slot).image >= static_cast<int>(scene.images.size())) return "a texture of no image";
+  for (const scenes::Material& material : scene.materials) {
+    const glm::vec3 sheen = material.sheenColor;
+    for (const float factor :
+         {material.coat, material.coatRoughness, material.sheenRoughness, sheen.x, sheen.y, sheen.z})
+      if (!(factor >= 0 && factor <= 1)) return "a coat or sheen out of range";
+  }
   for (const scenes::Material& material : scene.materials)
     if (!isUtf8(material.name)) return "a name that is not UTF-8";
   for (const std::string& warning : scene.warnings)

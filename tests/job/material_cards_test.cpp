@@ -168,7 +168,7 @@ TEST(MaterialCards, SayWhatIsNotTheDefault) {
   m.alphaMode = scenes::AlphaMode::blend;
   m.baseColor.w = 0.3f;
   m.unlit = m.fullyRough = true;
-  m.notModelled = {"clearcoat"};
+  m.notModelled = {"anisotropy"};
   scenes::Mesh& mesh = scene.meshes.emplace_back();
   mesh.colors = {glm::vec4(1)};
   const MaterialCard card = describeMaterials(scene, {}, true).cards.at(0);
@@ -180,7 +180,42 @@ TEST(MaterialCards, SayWhatIsNotTheDefault) {
   EXPECT_TRUE(card.unlit && card.fullyRough && card.vertexColors);
   EXPECT_FALSE(card.nonmetal);
   EXPECT_NEAR(card.f0.at(1), 0.01, 1e-7);
-  EXPECT_EQ(card.notModelled, std::vector<std::string>{"clearcoat"});
+  EXPECT_EQ(card.notModelled, std::vector<std::string>{"anisotropy"});
+}
+
+TEST(MaterialCards, SayCoatAndSheenWithTheirTextures) {
+  scenes::Scene scene;
+  const int masks = addImage(scene, "masks", {51, 102, 0, 255}, {255, 204, 0, 51});
+  scenes::Material& m = addMaterial(scene, "lacquered velvet");
+  m.coat = 0.5f;
+  m.coatRoughness = 0.3f;
+  m.coatNormalScale = 2;
+  m.sheenColor = {0.5f, 0.2f, 1};
+  m.sheenRoughness = 0.8f;
+  const std::vector<std::string> plain = {"baseColor",     "metallic",   "roughness",     "coat",
+                                          "coatRoughness", "sheenColor", "sheenRoughness"};
+  EXPECT_EQ(namesOf(describeMaterials(scene, {}, true).cards.at(0)), plain);
+  m.coatTexture.image = m.coatRoughnessTexture.image = m.sheenColorTexture.image = m.sheenRoughnessTexture.image =
+      masks;
+  m.coatNormalTexture.image = addImage(scene, "dents", {128, 128, 255, 255}, {128, 128, 255, 255});
+  const MaterialCards made = describeMaterials(scene, {}, true);
+  const MaterialCard& card = made.cards.at(0);
+  EXPECT_EQ(find(card, "coat")->value, std::vector<double>{0.5});
+  EXPECT_EQ(find(card, "coat")->texture->channels, "r");
+  EXPECT_EQ(find(card, "coat")->texture->least, std::vector<double>{0.1});
+  EXPECT_EQ(find(card, "coatRoughness")->value, std::vector<double>{0.3}) << "as the file has it";
+  EXPECT_EQ(find(card, "coatRoughness")->texture->channels, "g");
+  EXPECT_DOUBLE_EQ(find(card, "coatRoughness")->texture->most.at(0), 0.3 * 0.8);
+  EXPECT_EQ(find(card, "coatNormal")->value, std::vector<double>{2});
+  EXPECT_TRUE(find(card, "coatNormal")->texture->mean.empty());
+  EXPECT_EQ(find(card, "sheenColor")->texture->channels, "rgb");
+  EXPECT_DOUBLE_EQ(find(card, "sheenColor")->texture->least.at(0), 0.5 * linearOf(0.2)) << "sRGB";
+  EXPECT_EQ(find(card, "sheenRoughness")->texture->channels, "a");
+  EXPECT_DOUBLE_EQ(find(card, "sheenRoughness")->texture->least.at(0), 0.8 * 0.2);
+  EXPECT_EQ(made.pictures.size(), 5u) << "one of each choice of channels";
+  scene.materials[0].unlit = true;
+  EXPECT_EQ(namesOf(describeMaterials(scene, {}, true).cards.at(0)),
+            (std::vector<std::string>{"baseColor", "metallic", "roughness"}));
 }
 
 TEST(MaterialCards, NamesOfPicturesAreTheirsAlone) {

@@ -48,12 +48,34 @@ TEST(Assets, ExtensionsAndLightsAndCamerasComeThrough) {
   EXPECT_TRUE(hasWarning(lamp.warnings, "not modelled: transmission"));
   const Scene car = scenes::loadScene((folder / "ToyCar/ToyCar.gltf").string());
   EXPECT_EQ(car.cameras.size(), 8u);
-  EXPECT_TRUE(hasWarning(car.warnings, "not modelled: clearcoat"));
-  EXPECT_TRUE(hasWarning(car.warnings, "not modelled: sheen"));
+  EXPECT_TRUE(hasWarning(car.warnings, "not modelled: transmission"));
+  EXPECT_FALSE(hasWarning(car.warnings, "not modelled: clearcoat"));
+  EXPECT_FALSE(hasWarning(car.warnings, "not modelled: sheen"));
   const Scene glow = scenes::loadScene((folder / "EmissiveStrengthTest/EmissiveStrengthTest.glb").string());
   float strongest = 0;
   for (const auto& material : glow.materials) strongest = std::max(strongest, material.emissive.x);
   EXPECT_NEAR(strongest, 16 * 0.1f, 0.2f) << "KHR_materials_emissive_strength of 16 times the factor";
+}
+
+TEST(Assets, ToyCarHasACoatWithATextureAndARedSheen) {
+  REQUIRE_ASSETS(folder);
+  const Scene car = scenes::loadScene((folder / "ToyCar/ToyCar.gltf").string());
+  const auto named = [&](const char* name) {
+    const auto found = std::ranges::find(car.materials, name, &scenes::Material::name);
+    return found == car.materials.end() ? scenes::Material{} : *found;
+  };
+  const scenes::Material paint = named("ToyCar"), fabric = named("Fabric"), glass = named("Glass");
+  EXPECT_EQ(paint.coat, 1.f);
+  EXPECT_EQ(paint.coatRoughness, 0.f);
+  ASSERT_TRUE(paint.coatTexture.present());
+  const scenes::TextureImage& mask = car.images[static_cast<std::size_t>(paint.coatTexture.image)];
+  EXPECT_EQ(mask.file, "ToyCar_clearcoat.png");
+  EXPECT_FALSE(mask.pixels.empty());
+  EXPECT_FALSE(paint.hasSheen());
+  EXPECT_EQ(fabric.sheenColor, glm::vec3(1, 0, 0));
+  EXPECT_EQ(fabric.sheenRoughness, 0.5f);
+  EXPECT_FALSE(fabric.hasCoat() || glass.hasCoat() || glass.hasSheen());
+  EXPECT_TRUE(car.hasLobes());
 }
 
 // An independent truth for generated tangents: what the exporter baked (MikkTSpace) into WaterBottle.

@@ -8,6 +8,7 @@
 #include "scenes/builtin/builtin.h"
 #include "scenes/builtin/shapes.h"
 #include "scenes/load.h"
+#include "scenes/texture_slots.h"
 #include "scenes/view.h"
 
 namespace parity::tests {
@@ -51,14 +52,15 @@ TEST(Builtin, EveryNameLoadsWithCameraEnvironmentAndUniqueMaterials) {
     std::set<std::string> names;
     for (const scenes::Material& material : scene.materials) {
       EXPECT_TRUE(names.insert(material.name).second) << material.name;
-      for (const scenes::TextureSlot* slot : {&material.baseColorTexture, &material.normalTexture,
-                                              &material.metallicRoughnessTexture, &material.emissiveTexture})
-        EXPECT_LT(slot->image, static_cast<int>(scene.images.size()));
+      for (const scenes::NamedSlot& each : scenes::kTextureSlots)
+        EXPECT_LT((material.*each.slot).image, static_cast<int>(scene.images.size()));
     }
     for (const Mesh& mesh : scene.meshes) {
       expectSound(mesh, name + "/" + mesh.name);
       ASSERT_LT(mesh.material, scene.materials.size());
-      EXPECT_EQ(mesh.tangents.empty(), !scene.materials[mesh.material].normalTexture.present()) << mesh.name;
+      const scenes::Material& material = scene.materials[mesh.material];
+      EXPECT_EQ(mesh.tangents.empty(), !material.normalTexture.present() && !material.coatNormalTexture.present())
+          << mesh.name;
     }
   }
 }
@@ -146,6 +148,40 @@ TEST(Builtin, SpheresShowEveryFeatureOnce) {
   EXPECT_TRUE(any([](const Material& m) { return m.specularColor != glm::vec3(1); }));
   EXPECT_TRUE(any([](const Material& m) { return m.ior != 1.5f; }));
   EXPECT_EQ(scene.materials.size(), 24u);
+}
+
+TEST(Builtin, LobesStepThroughTheRoughnessOfCoatsAndSheensAndShowEachOtherCaseOnce) {
+  const Scene scene = scenes::makeBuiltinScene("lobes");
+  using scenes::Material;
+  ASSERT_EQ(scene.materials.size(), 30u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const float step = static_cast<float>(i) / 5.f;
+    const Material &coat = scene.materials[i], &gold = scene.materials[6 + i];
+    EXPECT_EQ(coat.coat, 1.f);
+    EXPECT_FLOAT_EQ(coat.coatRoughness, step);
+    EXPECT_EQ(gold.coat, 1.f);
+    EXPECT_FLOAT_EQ(gold.roughness, step);
+    EXPECT_EQ(gold.metallic, 1.f);
+    for (const std::size_t row : {12, 18}) {
+      EXPECT_FLOAT_EQ(scene.materials[row + i].sheenRoughness, step);
+      EXPECT_TRUE(scene.materials[row + i].hasSheen() && !scene.materials[row + i].hasCoat());
+    }
+  }
+  EXPECT_EQ(scene.materials[1].name, "coat 0.2");
+  EXPECT_EQ(scene.materials[7].name, "coat on gold 0.2");
+  EXPECT_EQ(scene.materials[13].name, "sheen 0.2");
+  EXPECT_EQ(scene.materials[19].name, "sheen white 0.2");
+  const auto once = [&](const auto& is) {
+    return std::count_if(scene.materials.begin() + 24, scene.materials.end(), is) == 1;
+  };
+  EXPECT_TRUE(once([](const Material& m) { return m.coat == 0.5f; }));
+  EXPECT_TRUE(once([](const Material& m) { return m.coatNormalTexture.present() && !m.normalTexture.present(); }));
+  EXPECT_TRUE(once(
+      [](const Material& m) { return m.hasCoat() && m.normalTexture.present() && !m.coatNormalTexture.present(); }));
+  EXPECT_TRUE(once([](const Material& m) { return m.sheenColorTexture.present(); }));
+  EXPECT_TRUE(once([](const Material& m) { return m.hasCoat() && m.hasSheen(); }));
+  EXPECT_TRUE(once([](const Material& m) { return m.hasCoat() && m.emissive != glm::vec3(0); }));
+  for (const Material& m : scene.materials) EXPECT_TRUE(m.hasCoat() || m.hasSheen()) << m.name;
 }
 
 TEST(Shapes, SphereIsASphereToAThousandth) {

@@ -15,14 +15,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, 16> kSupported = {"EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 18> kSupported = {"EXT_mesh_gpu_instancing",
                                                          "EXT_meshopt_compression",
                                                          "EXT_texture_webp",
                                                          "KHR_draco_mesh_compression",
                                                          "KHR_lights_punctual",
+                                                         "KHR_materials_clearcoat",
                                                          "KHR_materials_emissive_strength",
                                                          "KHR_materials_ior",
                                                          "KHR_materials_pbrSpecularGlossiness",
+                                                         "KHR_materials_sheen",
                                                          "KHR_materials_specular",
                                                          "KHR_materials_unlit",
                                                          "KHR_materials_variants",
@@ -35,16 +37,14 @@ constexpr std::array<std::string_view, 16> kSupported = {"EXT_mesh_gpu_instancin
 struct NotModelled {
   std::string_view extension, name;
 };
-constexpr std::array<NotModelled, 10> kNotModelled = {{{"KHR_materials_anisotropy", "anisotropy"},
-                                                       {"KHR_materials_clearcoat", "clearcoat"},
-                                                       {"KHR_materials_diffuse_transmission", "diffuse transmission"},
-                                                       {"KHR_materials_dispersion", "dispersion"},
-                                                       {"KHR_materials_iridescence", "iridescence"},
-                                                       {"KHR_materials_sheen", "sheen"},
-                                                       {"KHR_materials_subsurface", "subsurface"},
-                                                       {"KHR_materials_transmission", "transmission"},
-                                                       {"KHR_materials_volume", "volume"},
-                                                       {"KHR_materials_volume_scatter", "volume scatter"}}};
+constexpr std::array<NotModelled, 8> kNotModelled = {{{"KHR_materials_anisotropy", "anisotropy"},
+                                                      {"KHR_materials_diffuse_transmission", "diffuse transmission"},
+                                                      {"KHR_materials_dispersion", "dispersion"},
+                                                      {"KHR_materials_iridescence", "iridescence"},
+                                                      {"KHR_materials_subsurface", "subsurface"},
+                                                      {"KHR_materials_transmission", "transmission"},
+                                                      {"KHR_materials_volume", "volume"},
+                                                      {"KHR_materials_volume_scatter", "volume scatter"}}};
 
 // The names in a list that we do not read, each once, in order.
 std::vector<std::string> listUnknown(const Json& document, const char* key) {

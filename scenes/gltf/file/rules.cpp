@@ -65,12 +65,20 @@ constexpr Rule kPbr[] = {numbers("baseColorFactor", 4), object("baseColorTexture
                          object("metallicRoughnessTexture", kTextureInfo)};
 constexpr Rule kSpecular[] = {number("specularFactor"), object("specularTexture", kTextureInfo),
                               numbers("specularColorFactor", 3), object("specularColorTexture", kTextureInfo)};
+constexpr Rule kCoat[] = {number("clearcoatFactor"), object("clearcoatTexture", kTextureInfo),
+                          number("clearcoatRoughnessFactor"), object("clearcoatRoughnessTexture", kTextureInfo),
+                          object("clearcoatNormalTexture", kTextureInfo)};
+constexpr Rule kSheen[] = {numbers("sheenColorFactor", 3), object("sheenColorTexture", kTextureInfo),
+                           number("sheenRoughnessFactor"), object("sheenRoughnessTexture", kTextureInfo)};
 constexpr Rule kSpecularGlossiness[] = {numbers("diffuseFactor", 4), object("diffuseTexture", kTextureInfo),
                                         numbers("specularFactor", 3), number("glossinessFactor"),
                                         object("specularGlossinessTexture", kTextureInfo)};
 constexpr Rule kIor[] = {number("ior")};
 constexpr Rule kEmissiveStrength[] = {number("emissiveStrength")};
-constexpr Rule kMaterialExtensions[] = {object("KHR_materials_specular", kSpecular), object("KHR_materials_ior", kIor),
+constexpr Rule kMaterialExtensions[] = {object("KHR_materials_specular", kSpecular),
+                                        object("KHR_materials_ior", kIor),
+                                        object("KHR_materials_clearcoat", kCoat),
+                                        object("KHR_materials_sheen", kSheen),
                                         object("KHR_materials_emissive_strength", kEmissiveStrength),
                                         object("KHR_materials_unlit", {}),
                                         object("KHR_materials_pbrSpecularGlossiness", kSpecularGlossiness)};

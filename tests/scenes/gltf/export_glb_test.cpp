@@ -13,6 +13,7 @@
 #include "scenes/gltf/gltf_writer.h"
 #include "scenes/gltf/texture.h"
 #include "scenes/load.h"
+#include "scenes/texture_slots.h"
 #include "scenes/view.h"
 #include "support/shared_assets.h"
 
@@ -108,10 +109,15 @@ void expectSameMaterials(const Scene& a, const Scene& b) {
     if (m.occlusionTexture.present()) {
       EXPECT_EQ(m.occlusionStrength, n.occlusionStrength) << m.name;
     }
-    for (const auto slot : {&Material::baseColorTexture, &Material::metallicRoughnessTexture, &Material::normalTexture,
-                            &Material::occlusionTexture, &Material::emissiveTexture, &Material::specularTexture,
-                            &Material::specularColorTexture})
-      expectSameSlot(a, b, m.*slot, n.*slot, m.name);
+    EXPECT_EQ(m.coat, n.coat) << m.name;
+    EXPECT_EQ(m.coatRoughness, n.coatRoughness) << m.name;
+    EXPECT_EQ(m.sheenColor, n.sheenColor) << m.name;
+    EXPECT_EQ(m.sheenRoughness, n.sheenRoughness) << m.name;
+    if (m.coatNormalTexture.present()) {
+      EXPECT_EQ(m.coatNormalScale, n.coatNormalScale) << m.name;
+    }
+    for (const scenes::NamedSlot& each : scenes::kTextureSlots)
+      expectSameSlot(a, b, m.*each.slot, n.*each.slot, m.name + ": " + each.name);
   }
 }
 
@@ -243,6 +249,17 @@ Scene makeEverything() {
   m.specularTexture = makeSlot(2, scenes::uvTransform({1, 2}, glm::half_pi<double>(), {1, 1}));
   m.specularColorTexture = makeSlot(2, {0, 3, 0, 0, 0, 0}); // of one column alone
   m.normalTexture.texCoord = m.specularTexture.texCoord = 1;
+  m.coat = 0.35f;
+  m.coatRoughness = 0.15f;
+  m.coatNormalScale = 1.7f;
+  m.sheenColor = {0.6f, 0.1f, 1};
+  m.sheenRoughness = 0.45f;
+  m.coatTexture = makeSlot(0, scenes::uvTransform({0.1, 0.2}, 0.3, {4, 5}));
+  m.coatRoughnessTexture = makeSlot(1);
+  m.coatNormalTexture = makeSlot(2, scenes::uvTransform({0, 0}, 1, {1, 1}));
+  m.sheenColorTexture = makeSlot(0);
+  m.sheenRoughnessTexture = makeSlot(1, {3, 0, 0, 0, 3, 0});
+  m.coatNormalTexture.texCoord = m.sheenRoughnessTexture.texCoord = 1;
   using scenes::Filter, scenes::Wrap;
   m.baseColorTexture.sampler = {Wrap::mirroredRepeat, Wrap::clampToEdge, Filter::nearest,
                                 Filter::linear,       Filter::nearest,   true};
@@ -317,8 +334,8 @@ TEST(ExportGlb, WritesWhatTheSpecificationAsksFor) {
   EXPECT_EQ(position["max"], json({1.1f, 1.3f, 0.f}));
   EXPECT_EQ(position["min"], json({0.f, 0.f, -0.7f}));
   for (const json& view : file["bufferViews"]) EXPECT_EQ(view.value("byteOffset", 0) % 4, 0);
-  const json used = {"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                     "KHR_materials_ior",   "KHR_materials_specular",
+  const json used = {"KHR_lights_punctual", "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+                     "KHR_materials_ior",   "KHR_materials_sheen",     "KHR_materials_specular",
                      "KHR_materials_unlit", "KHR_texture_transform"};
   EXPECT_EQ(file["extensionsUsed"], used);
   for (const json& light : file["extensions"]["KHR_lights_punctual"]["lights"])
@@ -326,6 +343,8 @@ TEST(ExportGlb, WritesWhatTheSpecificationAsksFor) {
   EXPECT_FALSE(file["cameras"][0]["perspective"].contains("zfar")) << "an infinite one has none";
   for (const json& material : file["materials"])
     for (const json& channel : material.value("emissiveFactor", json::array())) EXPECT_LE(channel, 1.0);
+  EXPECT_FALSE(file["materials"][1]["extensions"].contains("KHR_materials_clearcoat")) << "it has none";
+  EXPECT_FALSE(file["materials"][1]["extensions"].contains("KHR_materials_sheen")) << "it has none";
   EXPECT_EQ(file["images"].size(), 3u);
   EXPECT_EQ(file["images"][0]["mimeType"], "image/png");
   EXPECT_FALSE(file["nodes"][1].contains("matrix")) << "the identity is the default";
