@@ -36,8 +36,8 @@ const Sky& skyOf(const std::string& file) {
   return skies.emplace(file, std::move(sky)).first->second;
 }
 
-enum Kind { kAll, kMetal, kPlastic };
-constexpr const char* kKindNames[] = {"all", "metal", "plastic"};
+enum Kind { kAll, kMetal, kPlastic, kCoated, kCloth, kLayered };
+constexpr const char* kKindNames[] = {"all", "metal", "plastic", "coated", "cloth", "layered"};
 
 // Pixels of balls seen from +Z: the visible half evenly as it covers the picture, roughness 0.05 .. 1.
 std::vector<SurfaceSample> makePixels(Kind kind, int count) {
@@ -49,7 +49,12 @@ std::vector<SurfaceSample> makePixels(Kind kind, int count) {
     s.normal = {r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - r * r)};
     s.geometricNormal = s.normal;
     s.roughness = 0.05f + 0.95f * static_cast<float>(i * 7 % 20) / 19.f;
-    s.metallic = kind == kMetal || (kind == kAll && i % 2 == 0) ? 1.f : 0.f;
+    s.metallic = kind != kPlastic && (kind == kMetal || i % 2 == 0) ? 1.f : 0.f;
+    s.coatNormal = s.normal;
+    s.coatRoughness = 0.05f + 0.95f * static_cast<float>(i * 3 % 20) / 19.f;
+    s.sheenRoughness = 0.07f + 0.93f * static_cast<float>(i * 9 % 20) / 19.f;
+    if (kind == kCoated || kind == kLayered) s.coat = 1;
+    if (kind == kCloth || kind == kLayered) s.sheenColor = {0.8f, 0.5f, 0.3f};
     s.baseColor = s.metallic > 0 ? glm::vec3(1.f, 0.77f, 0.34f) : glm::vec3(0.5f, 0.5f, 0.6f);
     pixels.push_back(s);
   }
@@ -62,12 +67,18 @@ const reference::DirectionalAlbedo& albedo() {
   return table;
 }
 
+const reference::SheenAlbedo& sheenAlbedo() {
+  static const reference::SheenAlbedo table;
+  return table;
+}
+
 // Time of one thread; the points that were taken for each way of sampling.
 void atHalfAPercent(benchmark::State& state, const std::string& file, Kind kind) {
   const base::ThreadLimit limit(1);
   const Sky& sky = skyOf(file);
   const std::vector<SurfaceSample> pixels = makePixels(kind, 400);
-  const reference::Inputs inputs{.environment = &sky.sampler, .albedo = &albedo(), .lights = sky.suns};
+  const reference::Inputs inputs{
+      .environment = &sky.sampler, .albedo = &albedo(), .lights = sky.suns, .sheenAlbedo = &sheenAlbedo()};
   std::vector<reference::ShadedSample> shaded;
   for (auto _ : state) shaded = reference::shade(pixels, inputs, {});
   double points = 0, worst = 0;
@@ -87,7 +98,8 @@ void atHalfAPercent(benchmark::State& state, const std::string& file, Kind kind)
 // at which it fell since a quarter of the points.
 double errorAt(const std::string& file, Kind kind, int points) {
   const Sky& sky = skyOf(file);
-  const reference::Inputs inputs{.environment = &sky.sampler, .albedo = &albedo(), .lights = sky.suns};
+  const reference::Inputs inputs{
+      .environment = &sky.sampler, .albedo = &albedo(), .lights = sky.suns, .sheenAlbedo = &sheenAlbedo()};
   reference::Options options;
   options.integral = {.relativeError = 0, .minSamples = points, .maxSamples = points};
   double squares = 0;
@@ -117,7 +129,7 @@ std::vector<std::string> environments() {
 int main(int argc, char** argv) {
   for (const std::string& file : environments()) {
     const std::string name = std::filesystem::path(file).stem().string();
-    for (const Kind kind : {kAll, kMetal, kPlastic}) {
+    for (const Kind kind : {kAll, kMetal, kPlastic, kCoated, kCloth, kLayered}) {
       benchmark::RegisterBenchmark(fmt::format("atHalfAPercent/{}/{}", name, kKindNames[kind]).c_str(),
                                    [=](benchmark::State& state) { atHalfAPercent(state, file, kind); })
           ->Unit(benchmark::kMillisecond);

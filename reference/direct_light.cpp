@@ -12,9 +12,6 @@ namespace {
 
 namespace f64 = shading::f64;
 
-// With alpha = 2.4e-4 a point light's reflection has a finite peak; the image light has no floor.
-constexpr double kMinLightRoughness = 0.015625;
-
 glm::dvec3 safeNormalize(const glm::dvec3& v, const glm::dvec3& fallback) {
   const f64::real3 n = f64::safeNormalize(f64::real3(v.x, v.y, v.z), f64::real3(fallback.x, fallback.y, fallback.z));
   return {n.x, n.y, n.z};
@@ -43,9 +40,15 @@ Incident incidentFrom(const scenes::Light& light, const glm::dvec3& position) {
 
 DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Model& model,
                         const DirectionalAlbedo* albedo, const PointVisibility& fromHere) {
+  if (lights.empty()) return {};
+  const Lobes lobes(sample, model, std::max<double>(sample.roughness, kMinLightRoughness), albedo);
+  return shadeDirect(sample, lights, lobes, fromHere);
+}
+
+DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Lobes& lobes,
+                        const PointVisibility& fromHere) {
   DirectLight sum;
   if (lights.empty()) return sum;
-  const Lobes lobes(sample, model, std::max<double>(sample.roughness, kMinLightRoughness), albedo);
   const glm::dvec3 N = glm::normalize(glm::dvec3(sample.normal)), V = glm::normalize(glm::dvec3(sample.view));
   const double NoV = std::clamp(glm::dot(N, V), kMinNoV, 1.0);
   const LobeView atView = lobes.viewAt(NoV);

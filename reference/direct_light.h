@@ -20,7 +20,12 @@ struct DirectLight {
 // the specular lobe is folded up (reference/reflection.h).
 DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Model& model,
                         const DirectionalAlbedo* albedo, const PointVisibility& fromHere = {});
+// The same of lobes that the caller made, with no floor of the roughness.
+DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::Light>& lights, const Lobes& lobes,
+                        const PointVisibility& fromHere = {});
 
+// With alpha = 2.4e-4 a point light's reflection has a finite peak; the image light has no floor.
+inline constexpr double kMinLightRoughness = 0.015625;
 // Of shading normals at or beyond grazing: the lobe of the last visible direction.
 inline constexpr double kMinNoV = 1e-4;
 

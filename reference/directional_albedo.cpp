@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
-#include <utility>
 
 #include "base/parallel.h"
 #include "reference/fresnel.h"
+#include "reference/interpolation.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
@@ -22,32 +22,11 @@ using std::numbers::pi;
 // Row 0 stands for the limit of small roughness at fixed mu / alpha.
 constexpr double kLeastRoughness = 1e-3;
 
-struct Rule {
-  std::vector<double> x, weight;
-};
-
-// Gauss and Legendre's rule on [0, 1] (Press et al., Numerical Recipes, section 4.6).
-Rule makeGaussRule(int n) {
-  Rule rule;
-  for (int i = 0; i < n; ++i) {
-    double x = std::cos(pi * (i + 0.75) / (n + 0.5)), derivative = 1;
-    for (int step = 0; step < 20; ++step) {
-      double p0 = 1, p1 = x;
-      for (int k = 2; k <= n; ++k) p0 = std::exchange(p1, ((2 * k - 1) * x * p1 - (k - 1) * p0) / k);
-      derivative = n * (x * p1 - p0) / (x * x - 1);
-      x -= p1 / derivative;
-    }
-    rule.x.push_back(0.5 * (1 - x));
-    rule.weight.push_back(1 / ((1 - x * x) * derivative * derivative));
-  }
-  return rule;
-}
-
 // [0, pi], divided at pi/2 -+ pi/2 4^-k; weights sum to 1.
-Rule makeAzimuths() {
+QuadratureRule makeAzimuths() {
   constexpr int kPanels = 8;
-  const Rule gauss = makeGaussRule(8);
-  Rule rule;
+  const QuadratureRule gauss = makeGaussRule(8);
+  QuadratureRule rule;
   double width = pi / 2;
   for (int panel = 0; panel < kPanels; ++panel) {
     const double next = panel + 1 < kPanels ? width / 4 : 0;
@@ -62,10 +41,10 @@ Rule makeAzimuths() {
 }
 
 // [0, 1], divided at 1 - 4^-k: towards the end a smooth lobe's tail is squeezed together.
-Rule makePolar() {
+QuadratureRule makePolar() {
   constexpr int kPanels = 5;
-  const Rule gauss = makeGaussRule(10);
-  Rule rule;
+  const QuadratureRule gauss = makeGaussRule(10);
+  QuadratureRule rule;
   double width = 1;
   for (int panel = 0; panel < kPanels; ++panel) {
     const double next = panel + 1 < kPanels ? width / 4 : 0;
@@ -82,8 +61,8 @@ struct Albedo {
   double E = 0, fresnelWeight = 0; // fresnelWeight: its mean
 };
 
-Albedo integrate(GeometryTerm term, FresnelCurve fresnel, double alpha, double NoV, const Rule& azimuths,
-                 const Rule& polar) {
+Albedo integrate(GeometryTerm term, FresnelCurve fresnel, double alpha, double NoV, const QuadratureRule& azimuths,
+                 const QuadratureRule& polar) {
   const double a2 = alpha * alpha, sinV = std::sqrt(std::max(0.0, 1 - NoV * NoV));
   Albedo sum;
   for (std::size_t a = 0; a < azimuths.x.size(); ++a) {
@@ -109,21 +88,8 @@ Albedo integrate(GeometryTerm term, FresnelCurve fresnel, double alpha, double N
   return {std::min(sum.E, 1.0), sum.fresnelWeight / sum.E};
 }
 
-// Weights of the four nodes from `first` on, for position x in units of nodes.
-struct Stencil {
-  int first;
-  std::array<double, 4> weight;
-};
-Stencil makeStencil(double x) {
-  const int first = std::clamp(static_cast<int>(x) - 1, 0, kAlbedoNodes - 4);
-  const double t = x - first;
-  return {first,
-          {(t - 1) * (t - 2) * (t - 3) / -6, t * (t - 2) * (t - 3) / 2, t * (t - 1) * (t - 3) / -2,
-           t * (t - 1) * (t - 2) / 6}};
-}
-
 double read(const AlbedoNodes& nodes, double q) {
-  const Stencil stencil = makeStencil(q * (kAlbedoNodes - 1));
+  const Stencil stencil = makeStencil(q * (kAlbedoNodes - 1), kAlbedoNodes);
   double value = 0;
   for (int k = 0; k < 4; ++k) value += stencil.weight[k] * nodes[stencil.first + k];
   return value;
@@ -159,7 +125,7 @@ double AlbedoRow::fresnelWeightAt(double mu) const {
 
 DirectionalAlbedo::DirectionalAlbedo(GeometryTerm term, FresnelCurve fresnel)
     : m_rows(kAlbedoNodes), m_fresnelWeights(kAlbedoNodes) {
-  const Rule azimuths = makeAzimuths(), polar = makePolar(), gauss = makeGaussRule(128);
+  const QuadratureRule azimuths = makeAzimuths(), polar = makePolar(), gauss = makeGaussRule(128);
   base::parallelFor(kAlbedoNodes, 1, [&](std::size_t j, std::size_t) {
     const double roughness = std::max(static_cast<double>(j) / (kAlbedoNodes - 1), kLeastRoughness);
     const double alpha = roughness * roughness, leastMu = 1e-9 * alpha;
@@ -206,7 +172,7 @@ std::optional<DirectionalAlbedo> DirectionalAlbedo::fromBytes(std::span<const st
 }
 
 AlbedoRow DirectionalAlbedo::row(double roughness) const {
-  const Stencil stencil = makeStencil(std::clamp(roughness, 0.0, 1.0) * (kAlbedoNodes - 1));
+  const Stencil stencil = makeStencil(std::clamp(roughness, 0.0, 1.0) * (kAlbedoNodes - 1), kAlbedoNodes);
   AlbedoNodes values{}, fresnelWeights{};
   double average = 0;
   for (int k = 0; k < 4; ++k) {

@@ -53,10 +53,11 @@ public:
   }
   bool needsSamples() const { return m_isGlossy || (m_isShadowed && m_lobes.hasDiffuse()); }
 
-  // besides: what is in closed form.
+  // besides: what is in closed form, and other layers.
   void prepareSampling(const glm::dvec3& besides) {
     ProductLobe lobe{.normal = m_frame.z, .view = m_frame.toWorld(m_view), .alpha = m_lobes.alpha()};
-    if (m_isGlossy) lobe.F0 = luminanceOf(m_lobes.F0()), lobe.F90 = m_lobes.F90();
+    lobe.sheen = m_lobes.sheen();
+    if (m_isGlossy && !lobe.sheen) lobe.F0 = luminanceOf(m_lobes.F0()), lobe.F90 = m_lobes.F90();
     // Of what is in closed form about a fifth remains, either sign.
     constexpr double kRemainder = 0.2;
     const double multiple = luminanceOf(m_lobes.multipleReflectance(m_atView));
@@ -142,9 +143,9 @@ private:
         direction = m_environment.toPanorama(m_environment.sample(u).direction);
         local = m_frame.toLocal(direction);
       } else {
-        const glm::dvec3 h = sampleVisibleNormal(m_lobes.alpha(), m_view, u);
-        local = 2 * glm::dot(m_view, h) * h - m_view;
-        if (!(local.z > 0)) return;
+        const auto light = m_lobes.sampleSpecular(m_view, u);
+        if (!light) return;
+        local = *light;
         direction = byVisibleNormal(local);
       }
       const glm::dvec2 place = m_environment.placeOf(direction);
@@ -188,12 +189,12 @@ private:
 
 Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
                               const glm::dvec3& otherLight, const IntegralOptions& options,
-                              const lighting::Visibility* visibility) {
+                              const lighting::Visibility* visibility, const glm::dvec3& besides) {
   if (environment.isBlack()) return {};
   EnvironmentIntegrator integrator(sample, lobes, environment, options.seed, visibility);
   Integral known = integrator.inClosedForm();
   if (!integrator.needsSamples()) return known;
-  integrator.prepareSampling(known.diffuse + known.specular);
+  integrator.prepareSampling(known.diffuse + known.specular + besides);
   known.specular += integrator.controlled();
   Integral result = sumReplicates(
       options,

@@ -55,10 +55,9 @@ private:
     if (way == kByCosine) {
       local = sampleCosine(u);
     } else {
-      const glm::dvec3 view = m_reflection.view(), h = sampleVisibleNormal(m_lobes.alpha(), view, u);
-      local = 2 * glm::dot(view, h) * h - view;
-      if (!(local.z > 0)) return;
-      local = m_reflection.foldUp(local);
+      const auto light = m_lobes.sampleSpecular(m_reflection.view(), u);
+      if (!light) return;
+      local = m_reflection.foldUp(*light);
     }
     const glm::dvec3 direction = m_reflection.frame().toWorld(local);
     const auto hit = m_fromHere.firstHit(direction);

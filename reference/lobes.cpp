@@ -35,6 +35,8 @@ Lobes::Lobes(const SurfaceSample& sample, const Model& model, double roughness, 
   m_Fms = Favg * Favg * m_row->average() / (1.0 - Favg * m_lostOnAverage);
 }
 
+Lobes::Lobes(const SheenLobe& sheen) : m_alpha(sheen.alpha()), m_F90(0), m_F0(sheen.color()), m_sheen(sheen) {}
+
 LobeView Lobes::viewAt(double NoV) const {
   LobeView view{.lost = lostAt(NoV)};
   if (m_model.surface.diffuse == shading::DiffuseLobe::lambert || !hasSpecular()) return view;
@@ -52,6 +54,12 @@ glm::dvec3 Lobes::fresnel(double VoH) const {
 
 LobeValues Lobes::evaluate(double NoV, double NoL, double NoH, double VoH, const LobeView& atView) const {
   LobeValues values;
+  if (m_sheen) {
+    const double D = m_sheen->distribution(NoH);
+    values.specular = m_sheen->color() * m_sheen->reflected(D, NoV, NoL);
+    values.pdfSpecular = m_sheen->pdf(D, NoL, NoH, VoH);
+    return values;
+  }
   values.diffuse = m_diffuseColor * atView.diffuse * (f64::Fd_Lambert() * NoL);
   if (!hasSpecular() || isMirror()) return values;
   const double D = f64::D_GGX(m_alpha, NoH);
@@ -69,6 +77,11 @@ std::array<Float4, 3> Lobes::estimateSpecular(const FourDirections& light, const
                                               const glm::vec3& view, const LobeView& atView) const {
   const FourCosines at(normal, view, light);
   const float NoV = glm::dot(normal, view);
+  if (m_sheen) {
+    const Float4 white = m_sheen->estimate(NoV, at.NoL, at.tan2, Float4{}) * at.NoL;
+    const glm::vec3 color(m_sheen->color());
+    return {color.x * white, color.y * white, color.z * white};
+  }
   const Float4 alpha2 = Float4{} + static_cast<float>(m_alpha * m_alpha), &NoL = at.NoL;
   Float4 f;
   if (m_model.surface.fresnel == FresnelCurve::schlick) {
@@ -94,6 +107,13 @@ std::array<Float4, 3> Lobes::estimateSpecular(const FourDirections& light, const
     values[static_cast<std::size_t>(c)] = (F0 + (F90 - F0) * f) * single + static_cast<float>(m_Fms[c]) * multiple;
   }
   return values;
+}
+
+std::optional<glm::dvec3> Lobes::sampleSpecular(const glm::dvec3& view, const glm::dvec2& u) const {
+  if (m_sheen) return m_sheen->sample(view, u);
+  const glm::dvec3 h = sampleVisibleNormal(m_alpha, view, u), light = 2 * glm::dot(view, h) * h - view;
+  if (!(light.z > 0)) return std::nullopt;
+  return light;
 }
 
 LobeValues Lobes::evaluate(const glm::dvec3& view, const glm::dvec3& light, const LobeView& atView) const {

@@ -6,6 +6,7 @@
 
 #include "reference/directional_albedo.h"
 #include "reference/four_directions.h"
+#include "reference/sheen_lobe.h"
 #include "reference/surface_sample.h"
 
 namespace parity::reference {
@@ -13,7 +14,7 @@ namespace parity::reference {
 // What a direction adds, per unit of radiance and steradian: f cos, and the densities of the ways to sample it.
 struct LobeValues {
   glm::dvec3 diffuse{0.0}, specular{0.0};
-  double pdfSpecular = 0; // of sampleVisibleNormal
+  double pdfSpecular = 0; // of sampleSpecular
 };
 
 // Whether light that scatters more than once between microfacets is counted (Kulla and Conty 2017).
@@ -44,6 +45,8 @@ class Lobes {
 public:
   // albedo: of the model's geometry term and curve; may be null where the model does not need one.
   Lobes(const SurfaceSample& sample, const Model& model, double roughness, const DirectionalAlbedo* albedo);
+  // A sheen, which is specular light and nothing else; F0 is its colour.
+  explicit Lobes(const SheenLobe& sheen);
 
   LobeView viewAt(double NoV) const;
 
@@ -56,6 +59,10 @@ public:
   // normal, view: of the directions' frame.
   std::array<Float4, 3> estimateSpecular(const FourDirections& light, const glm::vec3& normal, const glm::vec3& view,
                                          const LobeView& atView) const;
+
+  // A direction of the specular lobe (local) for u in (0, 1)^2, by GGX's visible normals or as SheenLobe has it;
+  // nothing below the horizon. Its density is pdfSpecular. Not of a mirror.
+  std::optional<glm::dvec3> sampleSpecular(const glm::dvec3& view, const glm::dvec2& u) const;
 
   // What multiplies the irradiance: of all diffuse light, and of specular light that scatters more than once if that
   // were spread by the cosine.
@@ -72,6 +79,7 @@ public:
   double alpha() const { return m_alpha; }
   const glm::dvec3& F0() const { return m_F0; }
   double F90() const { return m_F90; }
+  const SheenLobe* sheen() const { return m_sheen ? &*m_sheen : nullptr; } // null: GGX
 
   // Beyond double's digits of 1 - NoH.
   static constexpr double kMirrorAlpha = 1e-6;
@@ -86,6 +94,7 @@ private:
   bool m_hasMultiple = false;
   glm::dvec3 m_Fms{0.0};
   double m_lostOnAverage = 1; // 1 - Eavg
+  std::optional<SheenLobe> m_sheen;
 };
 
 } // namespace parity::reference

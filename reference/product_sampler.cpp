@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "reference/four_directions.h"
+#include "scenes/luminance.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
@@ -111,6 +112,13 @@ void ProductSampler::addFour(const std::array<PanoramaBlock, 4>& blocks, const P
     const auto F0 = static_cast<float>(lobe.F0), F90 = static_cast<float>(lobe.F90);
     reflected +=
         (F0 + (F90 - F0) * schlickWeight(at.VoH)) * D_GGX(widened, at.tan2) * V_SmithGGXCorrelated(widened, NoV, NoL);
+  }
+  if (lobe.sheen) {
+    const float NoV = glm::dot(normal, view);
+    const Float4 spread = 0.5f * radius / larger(at.VoH, Float4{} + 0.05f);
+    steepness = larger(steepness, lobe.sheen->steepness(at.tan2, spread));
+    reflected +=
+        static_cast<float>(scenes::luminanceOf(lobe.sheen->color())) * lobe.sheen->estimate(NoV, NoL, at.tan2, spread);
   }
   const Float4 weight = reflected * NoL;
   for (int i = 0; i < 4; ++i) {

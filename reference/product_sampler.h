@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "reference/light_pyramid.h"
+#include "reference/sheen_lobe.h"
 
 namespace parity::reference {
 
@@ -16,8 +17,9 @@ namespace parity::reference {
 struct ProductLobe {
   glm::dvec3 normal{0.0, 1.0, 0.0}, view{0.0, 1.0, 0.0}; // unit; dot product positive
   double alpha = 1;
-  double F0 = 0, F90 = 0; // luminances; both 0: no GGX lobe
-  double lambert = 0;     // reflectance of what is spread by the cosine
+  double F0 = 0, F90 = 0;           // luminances; both 0: no GGX lobe
+  double lambert = 0;               // reflectance of what is spread by the cosine
+  const SheenLobe* sheen = nullptr; // null: none
 };
 
 // Sampling of a panorama by the product of its light and a lobe (after Clarberg et al. 2005, "Wavelet Importance

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <mutex>
 #include <numbers>
 
 #include "base/parallel.h"
+#include "reference/layers.h"
+#include "reference/replicates.h"
 
 namespace parity::reference {
 
@@ -15,12 +18,13 @@ using shading::Term;
 
 // From everywhere but the lights: the environment and, where light bounces, the other surfaces.
 Integral integrateSurroundings(const SurfaceSample& sample, const Lobes& lobes, const glm::dvec3& other,
-                               const Inputs& inputs, const Options& options) {
+                               const Inputs& inputs, const Options& options,
+                               const glm::dvec3& besides = glm::dvec3(0)) {
   IntegralOptions ofSky = options.integral;
   if (options.bounces > 0) ofSky.relativeError /= std::numbers::sqrt2;
   Integral sum;
   if (inputs.environment)
-    sum = integrateEnvironment(sample, lobes, *inputs.environment, other, ofSky, inputs.visibility);
+    sum = integrateEnvironment(sample, lobes, *inputs.environment, other, ofSky, inputs.visibility, besides);
   if (options.bounces == 0) return sum;
   const Surroundings around{*inputs.visibility, *inputs.surfaces, *inputs.emitters, inputs.environment,
                             inputs.lights,      options.model,    inputs.albedo};
@@ -33,6 +37,64 @@ Integral integrateSurroundings(const SurfaceSample& sample, const Lobes& lobes, 
   return sum;
 }
 
+glm::dvec3 sumOf(const DirectLight& light) {
+  return light.sunDiffuse + light.sunSpecular + light.localDiffuse + light.localSpecular;
+}
+
+void setError(ShadedSample& result, const glm::dvec3& color, const glm::dvec3& error) {
+  const double worst = largest(error);
+  result.standardError = static_cast<float>(worst);
+  result.relativeError = static_cast<float>(worst > 0 ? worst / largest(color) : 0);
+}
+
+// Each layer by itself. Of n layers each gets 1/sqrt(n) of the tolerance, which is of the whole colour.
+ShadedSample shadeLayers(const SurfaceSample& sample, const Inputs& inputs, const Options& options) {
+  ShadedSample result;
+  const auto addTo = [&](Term t, const glm::dvec3& light) {
+    result.terms[static_cast<std::size_t>(t)] += glm::vec3(light);
+  };
+  const std::vector<Layer> layers = layersOf(sample, options.model, {inputs.albedo, inputs.sheenAlbedo});
+  const PointVisibility fromHere(inputs.visibility, sample);
+  glm::dvec3 color = emissionWeight(sample, options.model, inputs.albedo) * glm::dvec3(sample.emissive);
+  addTo(Term::emissive, color);
+  for (const Layer& layer : layers) {
+    const DirectLight direct =
+        shadeDirect(layer.sample, inputs.lights, lobesOf(layer, inputs.albedo, kMinLightRoughness), fromHere);
+    const double w = layer.weight;
+    color += w * sumOf(direct);
+    if (layer.kind == LayerKind::base) {
+      addTo(Term::sunDiffuse, w * direct.sunDiffuse);
+      addTo(Term::sunSpecular, w * direct.sunSpecular);
+      addTo(Term::localDiffuse, w * direct.localDiffuse);
+      addTo(Term::localSpecular, w * direct.localSpecular);
+    } else {
+      addTo(layer.kind == LayerKind::coat ? Term::coatSpecular : Term::sheen, w * sumOf(direct));
+    }
+  }
+  const double occlusion = sample.occlusion;
+  if (!(inputs.environment || options.bounces > 0) || !(occlusion > 0)) return result;
+
+  Options ofLayer = options;
+  ofLayer.integral.relativeError /= std::sqrt(static_cast<double>(layers.size()));
+  glm::dvec3 squares(0);
+  for (const Layer& layer : layers) {
+    const double w = layer.weight * occlusion;
+    const Integral sky =
+        integrateSurroundings(layer.sample, lobesOf(layer, inputs.albedo), color / w, inputs, ofLayer, color / w);
+    color += w * (sky.diffuse + sky.specular);
+    squares += w * w * sky.standardError * sky.standardError;
+    result.samples += static_cast<std::uint32_t>(sky.samples);
+    if (layer.kind == LayerKind::base) {
+      addTo(Term::skyDiffuse, w * sky.diffuse);
+      addTo(Term::skySpecular, w * sky.specular);
+    } else {
+      addTo(layer.kind == LayerKind::coat ? Term::coatSpecular : Term::sheen, w * sky.specular);
+    }
+  }
+  setError(result, color, glm::sqrt(squares));
+  return result;
+}
+
 ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const Options& options) {
   ShadedSample result;
   const auto term = [&](Term t) -> glm::vec3& { return result.terms[static_cast<std::size_t>(t)]; };
@@ -40,6 +102,7 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
     term(Term::emissive) = sample.baseColor;
     return result;
   }
+  if (hasLayers(sample)) return shadeLayers(sample, inputs, options);
   const DirectLight direct =
       shadeDirect(sample, inputs.lights, options.model, inputs.albedo, PointVisibility(inputs.visibility, sample));
   term(Term::sunDiffuse) = direct.sunDiffuse;
@@ -50,16 +113,12 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
   const double occlusion = sample.occlusion;
   if (!(inputs.environment || options.bounces > 0) || !(occlusion > 0)) return result;
 
-  const glm::dvec3 other =
-      direct.sunDiffuse + direct.sunSpecular + direct.localDiffuse + direct.localSpecular + glm::dvec3(sample.emissive);
+  const glm::dvec3 other = sumOf(direct) + glm::dvec3(sample.emissive);
   const Lobes lobes(sample, options.model, sample.roughness, inputs.albedo);
   const Integral sky = integrateSurroundings(sample, lobes, other / occlusion, inputs, options);
   term(Term::skyDiffuse) = sky.diffuse * occlusion;
   term(Term::skySpecular) = sky.specular * occlusion;
-  const glm::dvec3 color = other + (sky.diffuse + sky.specular) * occlusion, error = sky.standardError * occlusion;
-  const double worst = std::max({error.x, error.y, error.z}), brightest = std::max({color.x, color.y, color.z});
-  result.standardError = static_cast<float>(worst);
-  result.relativeError = static_cast<float>(worst > 0 ? worst / brightest : 0);
+  setError(result, other + (sky.diffuse + sky.specular) * occlusion, sky.standardError * occlusion);
   result.samples = static_cast<std::uint32_t>(sky.samples);
   return result;
 }

@@ -8,18 +8,20 @@
 #include "reference/direct_light.h"
 #include "reference/environment_integral.h"
 #include "reference/interreflection.h"
+#include "reference/sheen_albedo.h"
 #include "shading/terms.h"
 
 namespace parity::reference {
 
 struct Inputs {
   const EnvironmentSampler* environment = nullptr;  // null: none
-  const DirectionalAlbedo* albedo = nullptr;        // of the model's term and curve, where it needs one
+  const DirectionalAlbedo* albedo = nullptr;        // of the model's term and curve, where it or a coat needs one
   std::vector<scenes::Light> lights = {};           // all of the scene's, and the sun
   const lighting::Visibility* visibility = nullptr; // null: nothing casts shadows
   // Of the visibility's scene, whose images have their pixels: where light bounces between surfaces.
   const lighting::SurfaceLight* surfaces = nullptr;
   const lighting::Emitters* emitters = nullptr;
+  const SheenAlbedo* sheenAlbedo = nullptr; // where a sample has a sheen
 };
 
 struct Options {
@@ -41,7 +43,9 @@ using Progress = std::function<void(double done)>;
 
 // Occlusion multiplies what comes from the environment, diffuse and specular alike, as in the high-end path, and
 // nothing else; it does so with shadows, too: a material's occlusion is of details that its mesh does not have. Light
-// that comes by way of other surfaces, emissive ones included, counts to the terms of the sky, occlusion as well.
+// that comes by way of other surfaces, emissive ones included, counts to the terms of the sky, occlusion as well. All
+// light of a clear coat is in coatSpecular, and all of a sheen in sheen (reference/layers.h); surfaces that light comes
+// by way of show their base alone.
 // Deterministic: the result for a point depends on the point, the inputs and the options alone, not on the number of
 // threads or on the other points.
 std::vector<ShadedSample> shade(std::span<const SurfaceSample> samples, const Inputs& inputs, const Options& options,

@@ -22,7 +22,12 @@ struct SurfaceSample {
   float dielectricF90 = 1;                  // and at grazing incidence (KHR_materials_specular's factor)
   float occlusion = 1;                      // [0, 1]
   glm::vec3 emissive{0.f};                  //
+  float coat = 0;                           // [0, 1], share of the surface that the clear coat covers
+  float coatRoughness = 0;                  // perceptual
+  glm::vec3 coatNormal{0.f, 0.f, 1.f};      // unit
+  glm::vec3 sheenColor{0.f};                // [0, 1]
+  float sheenRoughness = 0;                 // perceptual
 };
-static_assert(sizeof(SurfaceSample) == 27 * sizeof(float));
+static_assert(sizeof(SurfaceSample) == 36 * sizeof(float));
 
 } // namespace parity::reference

@@ -8,9 +8,16 @@
 namespace parity::tests {
 namespace {
 
+// Of scenes without coat and sheen, and of those with.
+namespace base {
+#include "shading/terms.glsl"
+} // namespace base
+#undef PARITY_SHADING_TERMS
+#define PARITY_LOBES
 namespace glsl {
 #include "shading/terms.glsl"
 } // namespace glsl
+#undef PARITY_LOBES
 
 using shading::Term;
 
@@ -25,9 +32,13 @@ TEST(Terms, GlslHasTheIdsOfCpp) {
       {glsl::kTermSkySpecular, Term::skySpecular},
       {glsl::kTermEmissive, Term::emissive},
       {glsl::kTermFog, Term::fog},
+      {glsl::kTermCoatSpecular, Term::coatSpecular},
+      {glsl::kTermSheen, Term::sheen},
   }};
   for (const auto& [id, term] : ids) EXPECT_EQ(id, static_cast<int>(term));
   EXPECT_EQ(glsl::kTermCount, static_cast<int>(shading::kTermCount));
+  EXPECT_EQ(base::kTermCount, static_cast<int>(shading::kBaseTermCount));
+  EXPECT_EQ(base::kTermFog, base::kTermCount - 1);
 }
 
 TEST(Terms, NamesAndIdsMatchBothWays) {
