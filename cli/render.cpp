@@ -30,8 +30,8 @@ namespace {
 base::Image layers(const base::Frame& frame, std::vector<std::string>& names) {
   base::Image out(frame.color.width, frame.color.height, static_cast<int>(3 * (1 + frame.terms.size())));
   names = {"R", "G", "B"};
-  for (const std::string_view term : shading::kTermNames)
-    for (const char* channel : {".R", ".G", ".B"}) names.push_back(std::string(term) + channel);
+  for (std::size_t t = 0; t < frame.terms.size(); ++t)
+    for (const char* channel : {".R", ".G", ".B"}) names.push_back(std::string(shading::kTermNames[t]) + channel);
   for (std::size_t p = 0; p < frame.color.pixelCount(); ++p) {
     float* pixel = out.pixels.data() + p * out.channels;
     std::copy_n(frame.color.pixels.data() + 3 * p, 3, pixel);
@@ -149,7 +149,9 @@ int runRenderCommand(const RenderCommand& command) {
   base::Frame& frame = paths.truth ? frames.truth : frames.paths.front().frame;
   job::keepMaterials(frame, prepared.scene, settings.materials, frames.coverage, settings.background);
   const auto term = command.term.empty() ? std::nullopt : shading::termByName(command.term);
-  const base::Image& color = term ? frame.terms[static_cast<std::size_t>(*term)] : frame.color;
+  const base::Image black(frame.color.width, frame.color.height, 3); // a scene without coat has no light of it
+  const auto place = static_cast<std::size_t>(term.value_or(shading::Term::sunDiffuse));
+  const base::Image& color = !term ? frame.color : place < frame.terms.size() ? frame.terms[place] : black;
   if (paths.truth) reportError(frames, settings.reference.integral.relativeError);
   if (!command.errorMap.empty()) base::writeImage(command.errorMap, frames.truthError);
   if (!command.ids.empty()) job::writeMaterialIds(command.ids, frames.coverage, settings.width, settings.height);

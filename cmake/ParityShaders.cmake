@@ -53,20 +53,28 @@ function(parity_shaders target)
 endfunction()
 
 # parity_formula(TARGET formula.glsl): the mobile shader with that environment BRDF (mobile/formulas.h), in both precisions:
-# k<Formula>Fp16Comp and k<Formula>Fp32Comp, as parity_shaders makes them.
+# k<Formula>Fp16Comp and k<Formula>Fp32Comp, as parity_shaders makes them; and k<Formula>LobesFp16Comp and so on, for scenes
+# with coat or sheen.
 function(parity_formula target formula)
   get_filename_component(name ${formula} NAME_WE)
-  foreach(precision 16 32)
-    set(shader ${CMAKE_CURRENT_BINARY_DIR}/${name}_fp${precision}.comp)
-    file(CONFIGURE OUTPUT ${shader} CONTENT [[#version 460
+  foreach(variant "" _lobes)
+    set(lobes)
+    if(variant)
+      set(lobes "#define PARITY_LOBES")
+    endif()
+    foreach(precision 16 32)
+      set(shader ${CMAKE_CURRENT_BINARY_DIR}/${name}${variant}_fp${precision}.comp)
+      file(CONFIGURE OUTPUT ${shader} CONTENT [[#version 460
 #extension GL_GOOGLE_include_directive : require
 #define PARITY_FP@precision@
+@lobes@
 #define PARITY_OWN_ENVIRONMENT_BRDF
 #include "shading/real.glsl"
 #include "@formula@"
 #include "mobile/shaders/mobile.glsl"
 ]] @ONLY)
-    list(APPEND shaders ${shader})
+      list(APPEND shaders ${shader})
+    endforeach()
   endforeach()
   parity_shaders(${target} INCLUDE gpu shading mobile SHADERS ${shaders})
 endfunction()

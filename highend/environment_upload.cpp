@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lighting/environment/irradiance_cube.h"
+#include "lighting/environment/median_cut.h"
 #include "paths/baked_upload.h"
 #include "shading/shading.h"
 
@@ -33,10 +34,22 @@ std::optional<gpu::Buffer> uploadLamps(const gpu::Device& device, const lighting
   return gpu::Buffer(device, std::span<const gpu::GpuLamp>(nodes));
 }
 
+// Few, then many; where there are not as many, black ones.
+gpu::Buffer uploadPoints(const gpu::Device& device, const lighting::PanoramaCells& cells) {
+  std::vector<gpu::GpuEnvironmentPoint> points(gpu::kEnvironmentPoints);
+  const auto fill = [&](std::size_t first, std::uint32_t count) {
+    for (const lighting::EnvironmentPoint& point : lighting::cutEnvironment(cells, static_cast<int>(count)))
+      points[first++] = {glm::vec4(point.direction, 0), glm::vec4(point.light, 0)};
+  };
+  fill(0, gpu::kFewPoints);
+  fill(gpu::kFewPoints, gpu::kManyPoints);
+  return gpu::Buffer(device, std::span<const gpu::GpuEnvironmentPoint>(points));
+}
+
 } // namespace
 
 gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting::EnvironmentLight& light,
-                                       const lighting::PanoramaCells* cells) {
+                                       const lighting::PanoramaCells* cells, bool sheen) {
   const lighting::CubeMap* cube = &light.prefiltered;
   gpu::EnvironmentMaps maps = uploadCaptures(device, {&cube, 1}, light);
   if (!cells) return maps;
@@ -50,6 +63,7 @@ gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting
   maps.panorama.emplace(device, shape, mips);
   maps.panoramaTurns = cells->turns;
   maps.lamps = uploadLamps(device, light.lamps);
+  if (sheen) maps.points = uploadPoints(device, *cells);
   return maps;
 }
 

@@ -8,9 +8,10 @@
 namespace parity::highend {
 
 // Every level and the irradiance cube, in 32-bit floats, and the cells that go with fine levels; null where there are
-// none. Throws Error (exit 4) where the device cannot filter those.
+// none. sheen: the scene has some, which reads the points of cutEnvironment. Throws Error (exit 4) where the device
+// cannot filter those.
 gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting::EnvironmentLight& light,
-                                       const lighting::PanoramaCells* cells);
+                                       const lighting::PanoramaCells* cells, bool sheen = false);
 
 // The same of several captures, cubes of one size, in the order of gpu::BakedContent::captures; at least one. The
 // irradiance is the sky's, for what has no lightmap. Throws Error as that, and where the device takes fewer cubes.

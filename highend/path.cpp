@@ -8,6 +8,7 @@
 #include "highend/environment_upload.h"
 #include "highend/knobs.h"
 #include "highend/renderer.h"
+#include "highend/sheen_table.h"
 #include "highend/table_brdf.h"
 
 namespace parity::highend {
@@ -31,6 +32,26 @@ base::Image makeOrRecallLut(const Options& options, const paths::Services& servi
   return lut;
 }
 
+base::Image makeOrRecallSheenTable(int size, const paths::Services& services) {
+  const base::Stopwatch watch(services.timings, "sheen table");
+  const std::string key = "sheen-" + base::Hasher().add(services.buildId).addValue(size).hex();
+  base::Image table(size, size, 1);
+  const std::size_t bytes = table.pixels.size() * sizeof(float);
+  if (const auto cached = services.cache.find(key); cached && cached->size() == bytes) {
+    std::memcpy(table.pixels.data(), cached->data(), bytes);
+    return table;
+  }
+  table = makeSheenTable(size);
+  services.cache.store(key, std::as_bytes(std::span{table.pixels}));
+  return table;
+}
+
+const base::Image* sheenTableOf(const paths::Inputs& inputs, const Options& options) {
+  if (!inputs.buffers.hasLobes()) return nullptr;
+  return inputs.services.store.get(fmt::format("sheen table {}", options.lutSize),
+                                   [&] { return makeOrRecallSheenTable(options.lutSize, inputs.services); });
+}
+
 lighting::PrefilterOptions prefilterOf(const Options& options) {
   lighting::PrefilterOptions prefilter = lighting::kFinePrefilter;
   prefilter.sampleCount = options.prefilterSamples;
@@ -46,8 +67,9 @@ const gpu::EnvironmentMaps* environmentOf(const paths::Inputs& inputs) {
     });
   const lighting::EnvironmentLight* const light = inputs.light.environment.get();
   if (!light) return nullptr;
-  return inputs.store.get(fmt::format("highend environment {}", static_cast<const void*>(light)),
-                          [&] { return uploadEnvironment(inputs.device, *light, inputs.light.cells.get()); });
+  return inputs.store.get(fmt::format("highend environment {}", static_cast<const void*>(light)), [&] {
+    return uploadEnvironment(inputs.device, *light, inputs.light.cells.get(), inputs.buffers.hasLobes());
+  });
 }
 
 const gpu::BakedMaps* bakedOf(const paths::Inputs& inputs) {
@@ -82,6 +104,8 @@ public:
     return {.prefilter = prefilterOf(options.of<Options>()), .cells = true};
   }
   const std::vector<paths::Intermediate>& intermediates() const override { return views(); }
+  bool hidesLobes() const override { return true; }
+  std::uint32_t droppedLobes(const scenes::Material&, const paths::Options&) const override { return 0; }
   bool switchesLights() const override { return true; }
   const shading::SurfaceModel* surfaceModel(const paths::Options& options) const override {
     return &options.of<Options>().model;
@@ -98,10 +122,12 @@ public:
     const Options& own = options.of<Options>();
     Inputs mine{.environment = environmentOf(inputs),
                 .lut = nullptr,
+                .sheenTable = sheenTableOf(inputs, own),
                 .lights = inputs.light.lights,
                 .shadows = shadowsOf(inputs),
                 .baked = bakedOf(inputs),
                 .terms = inputs.terms,
+                .hiddenFeatures = inputs.hiddenFeatures,
                 .view = inputs.intermediate,
                 .compilation = inputs.compilation,
                 .expectedPixels = inputs.expectedPixels};

@@ -8,13 +8,16 @@
 
 #include "base/error.h"
 #include "highend_shaders/highend.comp.h"
+#include "highend_shaders/highend_lobes.comp.h"
 
 namespace parity::highend {
 
 namespace {
 
-gpu::DeviceImage uploadLut(const gpu::Device& device, const base::Image& lut) {
-  assert(lut.channels == 4);
+// sheen: goes into the fourth channel; null: none.
+gpu::DeviceImage uploadLut(const gpu::Device& device, base::Image lut, const base::Image* sheen) {
+  assert(lut.channels == 4 && (!sheen || sheen->pixelCount() == lut.pixelCount()));
+  for (std::size_t i = 0; sheen && i < lut.pixelCount(); ++i) lut.pixels[4 * i + 3] = sheen->pixels[i];
   constexpr auto kFormat = vk::Format::eR32G32B32A32Sfloat;
   if (!device.filtersLinearly(kFormat))
     throw base::Error(base::ExitCode::failed, device.report().name, "environment BRDF table",
@@ -102,6 +105,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   gpu::PathProgram program;
   program.name = "highend";
   program.spirv = kHighendComp;
+  program.spirvOfLobes = kHighendLobesComp;
   // Directional ones, those that reach everything, the others: with and without lists in one order.
   std::vector<std::size_t> order(inputs.lights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -117,7 +121,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   if (needsLut(inputs, options)) {
     assert(inputs.lut != nullptr);
     m_hasLut = true;
-    m_lut = uploadLut(device, *inputs.lut);
+    m_lut = uploadLut(device, *inputs.lut, inputs.sheenTable);
     program.pathTexture = &m_lut;
     ++m_ownSamplers;
   }
@@ -161,6 +165,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   if (const auto everywhere = static_cast<std::size_t>(bounded - lights.begin()); everywhere > gpu::kMaxLightsOfAPixel)
     throw tooMany(device, everywhere);
   program.terms = inputs.terms;
+  program.hiddenFeatures = inputs.hiddenFeatures;
   program.expectedPixels = inputs.expectedPixels;
   program.compilation = inputs.compilation;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));

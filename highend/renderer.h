@@ -15,14 +15,16 @@ namespace parity::highend {
 // What the renderer is given besides the scene; all of it shared with the other paths.
 struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // null: none
-  const base::Image* lut = nullptr;       // makeEnvBrdfLut of the same term and curve; null only where needsLut says so
-  std::vector<scenes::Light> lights = {}; // all of the scene's, and the sun
-  gpu::ShadowMaps* shadows = nullptr;     // of these lights, fitted to what is shaded; null: nothing casts
+  const base::Image* lut = nullptr; // makeEnvBrdfLut of the same term and curve; null only where needsLut says so
+  const base::Image* sheenTable = nullptr; // makeSheenTable of the lut's size; where the scene has coat or sheen
+  std::vector<scenes::Light> lights = {};  // all of the scene's, and the sun
+  gpu::ShadowMaps* shadows = nullptr;      // of these lights, fitted to what is shaded; null: nothing casts
   // Read where the scene's buffers know of a lightmap, in the encodings of this path. Its sun shadow is that of the
   // first directional light, where `shadows` is null. Its captures are those of `environment`.
   const gpu::BakedMaps* baked = nullptr;
   bool cullLights = true; // false: every pixel asks every light, with the same result
   bool terms = false;
+  std::uint32_t hiddenFeatures = 0; // gpu::kFeatureCoat, kFeatureSheen: lobes that it leaves out
   std::uint32_t view = kViewLit; // what the colour shows (highend/views.h)
   gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that the run will shade
@@ -51,7 +53,7 @@ public:
 
   // Whether the table is read at all with these inputs.
   static bool needsLut(const Inputs& inputs, const Options& options) {
-    return inputs.environment != nullptr || inputs.view != kViewLit ||
+    return inputs.environment != nullptr || inputs.sheenTable != nullptr || inputs.view != kViewLit ||
            ((!inputs.lights.empty() || inputs.baked) &&
             (options.compensation != Compensation::none || options.model.diffuse == DiffuseLobe::balanced));
   }

@@ -213,7 +213,8 @@ void addVerdict(KnobTable<S>& t) {
       .notInSuite();
   t.whole<&S::droppedLights>(
        "dropped-lights", 0, 100000,
-       "Lights to measure in each view among those that a path drops, the brightest first; 0: none")
+       "Lights to measure in each view among those that a path drops, the brightest first;\n0: none, and no dropped "
+       "lobes of materials")
       .actsOn(ActsOn::nothing)
       .notInSuite();
   base::KnobRow<S>& whatIf =

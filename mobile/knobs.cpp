@@ -8,7 +8,7 @@ namespace parity::mobile {
 
 namespace {
 
-static_assert(base::memberCount<Options>() == 18 && base::memberCount<Mixing>() == 3, "a new member needs a row");
+static_assert(base::memberCount<Options>() == 20 && base::memberCount<Mixing>() == 3, "a new member needs a row");
 
 constexpr const char* kPresets = "set by the preset";
 
@@ -76,6 +76,16 @@ void addLook(base::KnobTable<Options>& t) {
                    ? std::string("9 SH coefficients, one tint for the second band")
                    : fmt::format("{} SH coefficients", skyFormNames().at(static_cast<std::size_t>(o.sky)));
       });
+  t.choice<&Options::coat>("mobile-coat", coatFormNames(), "Mobile path: the clear coat; ue4: about the base's normal")
+      .titled("mobile clear coat")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("clear coat");
+  t.choice<&Options::sheen>("mobile-sheen", sheenFormNames(), "Mobile path: the sheen of cloth")
+      .titled("mobile sheen")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("sheen");
   t.flag<&Options::localLights>("mobile-local-lights", "Mobile path: shade up to four local lights for each object")
       .titled("mobile local lights")
       .otherwise(kPresets)

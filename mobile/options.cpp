@@ -18,6 +18,7 @@ const std::vector<Options>& presets() {
                                      .environmentBrdf = EnvironmentBrdf::karis2014,
                                      .directLobe = DirectLobe::dApprox,
                                      .captureScale = CaptureScale::full,
+                                     .coat = CoatForm::none,
                                      .localLights = false,
                                      .roughnessFloor = 0},
                                     {},
@@ -27,6 +28,8 @@ const std::vector<Options>& presets() {
                                      .captureScale = CaptureScale::occlusion,
                                      .capture = CaptureEncoding::rgb9e5,
                                      .sky = SkyForm::tinted,
+                                     .coat = CoatForm::refit,
+                                     .sheen = SheenForm::fit,
                                      .roughnessFloor = 0}};
     for (const Options& added : addedPresets()) {
       if (std::ranges::count(presets, added.preset, &Options::preset) > 0)
@@ -88,6 +91,14 @@ const std::vector<std::string>& captureEncodingNames() {
 }
 const std::vector<std::string>& skyFormNames() {
   static const std::vector<std::string> names = {"4", "9", "tinted"};
+  return names;
+}
+const std::vector<std::string>& coatFormNames() {
+  static const std::vector<std::string> names = {"none", "ue4", "refit"};
+  return names;
+}
+const std::vector<std::string>& sheenFormNames() {
+  static const std::vector<std::string> names = {"none", "fit"};
   return names;
 }
 

@@ -133,11 +133,23 @@ public:
     return options.of<Options>().spotShadow || options.of<Options>().sunShadow;
   }
   std::vector<std::string> notesOn(const scenes::Material& m, const paths::Options& options) const override {
-    if (m.fullyRough) return {"fully rough: mobile has no specular light and no environment fetch"};
-    const EnvironmentBrdf brdf = options.of<Options>().environmentBrdf;
-    if (m.isNonmetal() && (brdf == EnvironmentBrdf::karis2014 || brdf == EnvironmentBrdf::ue4))
-      return {"nonmetal: mobile uses EnvBRDFApproxNonmetal"};
-    return {};
+    const Options& own = options.of<Options>();
+    std::vector<std::string> notes;
+    if (m.fullyRough) notes.emplace_back("fully rough: mobile has no specular light and no environment fetch");
+    const std::uint32_t dropped = droppedLobes(m, options);
+    if ((dropped & gpu::kFeatureCoat) != 0) notes.emplace_back("mobile drops the clear coat");
+    if ((dropped & gpu::kFeatureSheen) != 0) notes.emplace_back("mobile drops the sheen");
+    const bool isUE4Coat = own.coat == CoatForm::ue4 && m.hasCoat(); // its F0 changes with the view
+    const bool isKaris =
+        own.environmentBrdf == EnvironmentBrdf::karis2014 || own.environmentBrdf == EnvironmentBrdf::ue4;
+    if (!m.fullyRough && m.isNonmetal() && isKaris && !isUE4Coat)
+      notes.emplace_back("nonmetal: mobile uses EnvBRDFApproxNonmetal");
+    return notes;
+  }
+  std::uint32_t droppedLobes(const scenes::Material& m, const paths::Options& options) const override {
+    const Options& own = options.of<Options>();
+    return (m.hasCoat() && (own.coat == CoatForm::none || m.fullyRough) ? gpu::kFeatureCoat : 0u) |
+           (m.hasSheen() && (own.sheen == SheenForm::none || m.fullyRough) ? gpu::kFeatureSheen : 0u);
   }
   std::string describeLight(const paths::Options& options, bool hasCaptures) const override {
     const CaptureScale scale = captureScaleOf(options.of<Options>(), hasCaptures);

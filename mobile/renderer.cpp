@@ -11,6 +11,8 @@
 #include "mobile/light_choice.h"
 #include "mobile_shaders/mobile_fp16.comp.h"
 #include "mobile_shaders/mobile_fp32.comp.h"
+#include "mobile_shaders/mobile_lobes_fp16.comp.h"
+#include "mobile_shaders/mobile_lobes_fp32.comp.h"
 #include "scenes/brightest_light.h"
 #include "shading/shading.h"
 
@@ -32,6 +34,9 @@ static_assert(is(CaptureScale::sky, numbers::kCaptureScaleSky + 1) &&
               is(CaptureScale::mixing, numbers::kCaptureScaleMixing + 1) &&
               is(CaptureScale::full, numbers::kCaptureScaleFull + 1) &&
               is(CaptureScale::occlusion, numbers::kCaptureScaleOcclusion + 1));
+static_assert(is(CoatForm::none, numbers::kCoatNone) && is(CoatForm::ue4, numbers::kCoatUE4) &&
+              is(CoatForm::refit, numbers::kCoatRefit));
+static_assert(is(SheenForm::none, numbers::kSheenNone) && is(SheenForm::fit, numbers::kSheenFit));
 // The engine's defaults, which the high-end path has too.
 constexpr Mixing kEngineMixing;
 static_assert(kEngineMixing.begin == numbers::kMixingBegin && kEngineMixing.end == numbers::kMixingEnd &&
@@ -54,7 +59,9 @@ std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t vie
           view,
           shadowMaps,
           baked,
-          falloffs};
+          falloffs,
+          static_cast<std::uint32_t>(options.coat),
+          static_cast<std::uint32_t>(options.sheen)};
 }
 
 // kBaked... bits of what is read.
@@ -107,9 +114,11 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   gpu::PathProgram program;
   program.name = "mobile";
   const Precision precision = precisionOn(device.report(), options);
-  static const Formula builtIn{kMobileFp16Comp, kMobileFp32Comp};
+  static const Formula builtIn{kMobileFp16Comp, kMobileFp32Comp, kMobileLobesFp16Comp, kMobileLobesFp32Comp};
   const Formula* const own = formulaOf(options.environmentBrdf);
-  program.spirv = precision == Precision::fp16 ? (own ? *own : builtIn).fp16 : (own ? *own : builtIn).fp32;
+  const Formula& formula = own ? *own : builtIn;
+  program.spirv = precision == Precision::fp16 ? formula.fp16 : formula.fp32;
+  program.spirvOfLobes = precision == Precision::fp16 ? formula.lobesFp16 : formula.lobesFp32;
   if (precision != options.precision)
     m_notes.push_back(fmt::format("fp32 replaces fp16: {} has no shaderFloat16", device.report().name));
 
@@ -175,6 +184,10 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                 .shadowMap = m_shadows != nullptr,
                 .lightmap = (baked & gpu::kBakedLightmap) != 0,
                 .sunShadow = (baked & gpu::kBakedSunShadow) != 0,
+                .coat = options.coat != CoatForm::none,
+                .sheen = options.sheen != SheenForm::none,
+                .coatNormal = options.coat == CoatForm::refit ||
+                              (options.coat != CoatForm::none && scene.specularAa() == gpu::SpecularAa::toksvig),
                 .normalVariance = scene.specularAa() == gpu::SpecularAa::toksvig};
   program.constants = constantsOf(options, inputs.view, (spot ? kShadowOfSpot : 0) | (hasSunShadow ? kShadowOfSun : 0),
                                   baked, gpu::falloffsOf(lights));

@@ -15,17 +15,26 @@ std::size_t countShared(const SamplerInputs& inputs, bool isLit, bool isFullyRou
   return (inputs.environment && !isFullyRough) + inputs.shadowMap + inputs.lightmap + inputs.sunShadow;
 }
 
+// Texture slots that the path reads.
+std::uint32_t readSlots(const SamplerInputs& inputs, bool isFullyRough) {
+  std::uint32_t slots = ~0u;
+  if (!inputs.coat || isFullyRough) slots &= ~gpu::kCoatTextures;
+  if (!inputs.coatNormal) slots &= ~(1u << gpu::kSlotCoatNormal);
+  if (!inputs.sheen || isFullyRough) slots &= ~gpu::kSheenTextures;
+  return slots;
+}
+
 } // namespace
 
 std::size_t countSamplers(const scenes::Material& material, const SamplerInputs& inputs) {
-  return gpu::countSamplers(material, inputs.normalVariance) +
+  return gpu::countSamplers(material, inputs.normalVariance, readSlots(inputs, material.fullyRough)) +
          countShared(inputs, !material.unlit, material.fullyRough);
 }
 
 std::size_t countSamplers(const gpu::Permutation& permutation, const SamplerInputs& inputs) {
-  return gpu::countTextures(permutation.textures) +
-         countShared(inputs, (permutation.mustFeatures & gpu::kFeatureUnlit) == 0,
-                     (permutation.mustFeatures & gpu::kFeatureFullyRough) != 0);
+  const bool isFullyRough = (permutation.mustFeatures & gpu::kFeatureFullyRough) != 0;
+  return gpu::countTextures(permutation.textures & readSlots(inputs, isFullyRough)) +
+         countShared(inputs, (permutation.mustFeatures & gpu::kFeatureUnlit) == 0, isFullyRough);
 }
 
 std::string describeExcess(const scenes::Material& material, const SamplerInputs& inputs, std::size_t limit) {

@@ -64,6 +64,12 @@ struct PixelFiles {
   std::string terms; // both paths' terms
 };
 
+// A lobe of a material that the test path leaves out.
+struct DroppedLobe {
+  std::string lobe; // "clear coat", "sheen"
+  double flip = 0;  // mean FLIP of the displayed reference picture without it against that with it, over the material
+};
+
 struct MaterialResult {
   std::string name;
   std::string test; // the view's
@@ -83,6 +89,7 @@ struct MaterialResult {
   std::optional<compare::Truth> truth;             // only with --truth
   std::vector<StageResult> stages;                 // in the order of the table's columns
   std::optional<compare::Attribution> attribution; // of a material over budget, or as the run was asked
+  std::vector<DroppedLobe> droppedLobes;           // that the test path leaves out, where the run was asked
   std::vector<WhatIf> whatIf;                      // of a material that is seen, as --what-if asks
   bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
 };

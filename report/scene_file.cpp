@@ -6,9 +6,9 @@ namespace parity::report {
 namespace {
 
 // Without the line feed at its end.
-std::string ownLine(std::string json) {
-  json.pop_back();
-  return json;
+std::string ownLine(std::string line) {
+  line.pop_back();
+  return line;
 }
 
 } // namespace

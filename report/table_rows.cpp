@@ -9,6 +9,7 @@
 #include "base/text/text.h"
 #include "base/text/wrap.h"
 #include "compare/verdict/wording.h"
+#include "report/dropped_lobes.h"
 #include "report/what_if.h"
 #include "report/wording.h"
 
@@ -244,6 +245,8 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, const s
                    material.stages, material.reason,
                    material.attribution ? describeCause(*material.attribution, view.reference) : "", material.accepted},
                   layout, options);
+    if (!material.droppedLobes.empty())
+      out += "    " + indented(describeDroppedLobes(material, view.reference, view.test), options);
     if (!material.whatIf.empty()) out += "    " + indented(describeWhatIfs(material), options);
   }
   if (showsWhole)

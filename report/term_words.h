@@ -12,15 +12,18 @@ struct TermWords {
 };
 
 // In the order of shading::kTermNames (shading/terms.h), which this folder may not include; a test compares the two.
-inline constexpr std::array<TermWords, 9> kTermWords = {{{"sunDiffuse", "diffuse light of the sun"},
-                                                         {"sunSpecular", "highlights of the sun"},
-                                                         {"localDiffuse", "diffuse light of local lights"},
-                                                         {"localSpecular", "highlights of local lights"},
-                                                         {"lightmap", "light of the lightmap"},
-                                                         {"skyDiffuse", "diffuse light of the environment"},
-                                                         {"skySpecular", "reflections of the environment"},
-                                                         {"emissive", "emitted light"},
-                                                         {"fog", "light of the fog"}}};
+inline constexpr std::array<TermWords, 11> kTermWords = {
+    {{"sunDiffuse", "diffuse light of the sun"},
+     {"sunSpecular", "highlights of the sun"},
+     {"localDiffuse", "diffuse light of local lights"},
+     {"localSpecular", "highlights of local lights"},
+     {"lightmap", "light of the lightmap"},
+     {"skyDiffuse", "diffuse light of the environment"},
+     {"skySpecular", "reflections of the environment"},
+     {"emissive", "emitted light"},
+     {"fog", "light of the fog"},
+     {"coatSpecular", "reflections and highlights of the clear coat"},
+     {"sheen", "light of the sheen"}}};
 
 // "skySpecular (reflections of the environment)"; a term without words by its name alone.
 std::string termWithWords(const std::string& term);

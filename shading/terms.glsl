@@ -11,6 +11,12 @@ const int kTermSkyDiffuse = 5;
 const int kTermSkySpecular = 6;
 const int kTermEmissive = 7;
 const int kTermFog = 8;
-const int kTermCount = 9;
+const int kTermCoatSpecular = 9;
+const int kTermSheen = 10;
+#ifdef PARITY_LOBES
+const int kTermCount = 11;
+#else
+const int kTermCount = 9; // no material of the scene has coat or sheen
+#endif
 
 #endif

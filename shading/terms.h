@@ -18,12 +18,15 @@ enum class Term : int {
   skyDiffuse,  // environment, by SH
   skySpecular, // environment, by the prefiltered cube
   emissive,
-  fog, // inscattered light; all others are after fog transmittance
+  fog,          // inscattered light; all others are after fog transmittance
+  coatSpecular, // of every light and the environment, by the clear coat
+  sheen,        // likewise, by the fibres
 };
-inline constexpr std::size_t kTermCount = 9;
-inline constexpr std::array<std::string_view, kTermCount> kTermNames = {"sunDiffuse",    "sunSpecular", "localDiffuse",
-                                                                        "localSpecular", "lightmap",    "skyDiffuse",
-                                                                        "skySpecular",   "emissive",    "fog"};
+inline constexpr std::size_t kTermCount = 11;
+inline constexpr std::size_t kBaseTermCount = 9; // of scenes without coat and sheen: those up to fog
+inline constexpr std::array<std::string_view, kTermCount> kTermNames = {
+    "sunDiffuse",  "sunSpecular", "localDiffuse", "localSpecular", "lightmap", "skyDiffuse",
+    "skySpecular", "emissive",    "fog",          "coatSpecular",  "sheen"};
 
 // The term of that name, or nothing.
 constexpr std::optional<Term> termByName(std::string_view name) {

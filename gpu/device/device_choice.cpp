@@ -50,9 +50,9 @@ std::string refusal(const vk::raii::PhysicalDevice& device) {
   if (properties.limits.maxPerStageDescriptorStorageBuffers < kStorageBuffers)
     return fmt::format("it has {} storage buffers a stage, {} are needed",
                        properties.limits.maxPerStageDescriptorStorageBuffers, kStorageBuffers);
-  if (properties.limits.maxUniformBufferRange < kMaxLamps * sizeof(GpuLamp))
+  if (properties.limits.maxUniformBufferRange < kLargestUniform)
     return fmt::format("its uniform buffers hold {} bytes, {} are needed", properties.limits.maxUniformBufferRange,
-                       kMaxLamps * sizeof(GpuLamp));
+                       kLargestUniform);
   return {};
 }
 

@@ -3,6 +3,7 @@
 #define PARITY_GPU_INTERFACE_H
 
 #ifdef __cplusplus
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 namespace parity::gpu {
@@ -22,8 +23,17 @@ PARITY_CONST int kSlotOcclusion = 3;
 PARITY_CONST int kSlotEmissive = 4;
 PARITY_CONST int kSlotSpecular = 5;
 PARITY_CONST int kSlotSpecularColor = 6;
-PARITY_CONST int kSlotCount = 7;
-// In a texture mask, besides the slots: the normal map's alpha holds the spread of its normals
+PARITY_CONST int kSlotCoat = 7;
+PARITY_CONST int kSlotCoatRoughness = 8;
+PARITY_CONST int kSlotCoatNormal = 9;
+PARITY_CONST int kSlotSheenColor = 10;
+PARITY_CONST int kSlotSheenRoughness = 11;
+PARITY_CONST int kSlotCount = 12;
+// The slots of coat and sheen, which shaders of scenes without them lack (PARITY_LOBES of path.glsl).
+PARITY_CONST uint kCoatTextures = 1u << kSlotCoat | 1u << kSlotCoatRoughness | 1u << kSlotCoatNormal;
+PARITY_CONST uint kSheenTextures = 1u << kSlotSheenColor | 1u << kSlotSheenRoughness;
+PARITY_CONST uint kLobeTextures = kCoatTextures | kSheenTextures;
+// In a texture mask, besides the slots: the alpha of normal maps holds the spread of their normals
 // (gpu/surface/normal_variance.h).
 PARITY_CONST uint kNormalVariance = 1u << kSlotCount;
 
@@ -32,6 +42,8 @@ PARITY_CONST uint kFeatureUnlit = 1u;
 PARITY_CONST uint kFeatureNonmetal = 2u;
 PARITY_CONST uint kFeatureFullyRough = 4u;
 PARITY_CONST uint kFeatureBlend = 8u;
+PARITY_CONST uint kFeatureCoat = 16u;
+PARITY_CONST uint kFeatureSheen = 32u;
 
 // Lights.
 PARITY_CONST uint kLightDirectional = 0u;
@@ -58,6 +70,12 @@ PARITY_CONST uint kLampIsLeaf = 1u;
 PARITY_CONST uint kLampIsCompact = 2u; // no level holds it
 PARITY_CONST uint kMaxLamps = 1152u;   // 512 wide leaves, 64 compact ones, fewer nodes above them than leaves
 
+// Points that stand for the environment (lighting/environment/median_cut.h): the first few serve wide lobes, the many
+// after them narrow ones.
+PARITY_CONST uint kFewPoints = 512u;
+PARITY_CONST uint kManyPoints = 1024u;
+PARITY_CONST uint kEnvironmentPoints = kFewPoints + kManyPoints;
+
 // What of baked light a path reads (gpu/surface/baked_maps.h), as bits.
 PARITY_CONST uint kBakedLightmap = 1u;
 PARITY_CONST uint kBakedSunShadow = 2u;
@@ -78,7 +96,10 @@ PARITY_CONST uint kPlaneView = 2u;     // w: roughness
 PARITY_CONST uint kPlaneF0 = 3u;       // w: F90
 PARITY_CONST uint kPlaneEmissive = 4u; // w: occlusion
 // In the second.
-PARITY_CONST uint kPlaneGeometricNormal = 5u;
+PARITY_CONST uint kPlaneGeometricNormal = 5u; // w: roughness of the coat
+// Of scenes with coat or sheen.
+PARITY_CONST uint kPlaneCoatNormal = 6u; // w: coat
+PARITY_CONST uint kPlaneSheen = 7u;      // colour; w: roughness
 
 // The mobile path: local lights of an object, and the index that means none.
 PARITY_CONST uint kLightsPerObject = 4u;
@@ -132,6 +153,8 @@ struct GpuMaterial {
   vec4 emissiveMetallic; // linear RGB; metallic
   vec4 f0Roughness;      // dielectric F0 before `specular`, linear RGB; roughness
   vec4 factors;          // normalScale, occlusionStrength, specular, alphaCutoff (blend: 1/255)
+  vec4 coat;             // coat, its roughness, its normalScale; 0
+  vec4 sheen;            // linear RGB; roughness
   uvec4 flags;           // features; 0; 0; 0
   GpuTextureSlot slots[kSlotCount];
 };
@@ -176,6 +199,12 @@ struct GpuLamp {
   vec4 lightNext;
 };
 
+// A point that stands for a part of the environment.
+struct GpuEnvironmentPoint {
+  vec4 direction; // unit, world; 0
+  vec4 light;     // radiance times solid angle, linear RGB; 0
+};
+
 // Of an object's LQ lightmap: texel times scale plus add, of the upper half [0] and the lower one [1].
 struct GpuLightmapScales {
   vec4 scale0, add0, scale1, add1;
@@ -198,6 +227,9 @@ struct GpuView {
 };
 
 #ifdef __cplusplus
+// Of the largest uniform buffer: of the points, which scenes with sheen have; the lamps' is smaller.
+inline constexpr std::size_t kLargestUniform = kEnvironmentPoints * sizeof(GpuEnvironmentPoint);
+static_assert(kLargestUniform >= kMaxLamps * sizeof(GpuLamp));
 } // namespace parity::gpu
 #endif
 #undef PARITY_CONST

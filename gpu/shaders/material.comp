@@ -1,20 +1,4 @@
-// Writes what a path's shader would begin with: the point and its resolved material, in the buffers that else hold colour
-// and terms. Read back by gpu/surface/material_pass.cpp.
+// Materials of scenes without coat and sheen.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "gpu/shaders/path.glsl"
-
-void main() {
-  uint local = entryIndex();
-  if (local >= count) return;
-  uint i = first + local;
-  Point p = makePoint(i);
-  Resolved m = resolveMaterial(p, i);
-  outColor[i] = vec4(m.baseColor, m.opacity);
-  outTermsA[kPlanePosition * planeSize + i] = vec4(p.position, hasFeature(kFeatureUnlit, p.material) ? 1.0 : 0.0);
-  outTermsA[kPlaneNormal * planeSize + i] = vec4(m.normal, m.metallic);
-  outTermsA[kPlaneView * planeSize + i] = vec4(p.V, m.roughness);
-  outTermsA[kPlaneF0 * planeSize + i] = vec4(m.F0, m.F90);
-  outTermsA[kPlaneEmissive * planeSize + i] = vec4(m.emissive, m.occlusion);
-  outTermsB[(kPlaneGeometricNormal - kTermsInA) * planeSize + i] = vec4(p.geometric, 0.0);
-}
+#include "gpu/shaders/material.glsl"

@@ -1,3 +1,5 @@
+// PARITY_LOBES: the shader is for scenes with coat or sheen. Others have one without them, which is smaller.
+//
 // What every path's shader begins with: the surface entry, the material resolved from its textures, the outputs. In fp32
 // whatever the path's own precision: of the shading maths it calls only what is in real32.
 #include "gpu/shaders/interface.h"
@@ -31,7 +33,7 @@ layout(set = 0, binding = 4, std430) readonly buffer PathData { uvec4 sceneCount
 #include "gpu/shaders/surface.glsl"
 layout(set = 0, binding = 14, std430) writeonly buffer OutColor { vec4 outColor[]; };   // radiance, opacity
 layout(set = 0, binding = 15, std430) writeonly buffer OutTermsA { vec4 outTermsA[]; }; // terms 0..4, a plane each
-layout(set = 0, binding = 16, std430) writeonly buffer OutTermsB { vec4 outTermsB[]; }; // terms 5..8
+layout(set = 0, binding = 16, std430) writeonly buffer OutTermsB { vec4 outTermsB[]; }; // the terms after them
 layout(set = 0, binding = 17) uniform samplerCubeArray prefilteredEnvironment;
 layout(set = 0, binding = 18) uniform sampler2D pathTexture; // the path's own table, if it has one
 layout(set = 0, binding = 19) uniform sampler2DArray shadowMaps;
@@ -46,6 +48,10 @@ layout(set = 0, binding = 26) uniform sampler2D panorama; // lighting/environmen
 // At least one. Not a storage buffer: lavapipe reads those lane by lane.
 layout(set = 0, binding = 27, std140) uniform Lamps { GpuLamp lamps[kMaxLamps]; };
 
+#ifdef PARITY_LOBES
+layout(set = 0, binding = 28, std140) uniform EnvironmentPoints { GpuEnvironmentPoint environmentPoints[kEnvironmentPoints]; };
+#endif
+
 layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
 layout(set = 1, binding = 1) uniform sampler2D metallicRoughnessTexture;
 layout(set = 1, binding = 2) uniform sampler2D normalTexture;
@@ -53,6 +59,13 @@ layout(set = 1, binding = 3) uniform sampler2D occlusionTexture;
 layout(set = 1, binding = 4) uniform sampler2D emissiveTexture;
 layout(set = 1, binding = 5) uniform sampler2D specularTexture;
 layout(set = 1, binding = 6) uniform sampler2D specularColorTexture;
+#ifdef PARITY_LOBES
+layout(set = 1, binding = 7) uniform sampler2D coatTexture;
+layout(set = 1, binding = 8) uniform sampler2D coatRoughnessTexture;
+layout(set = 1, binding = 9) uniform sampler2D coatNormalTexture;
+layout(set = 1, binding = 10) uniform sampler2D sheenColorTexture;
+layout(set = 1, binding = 11) uniform sampler2D sheenRoughnessTexture;
+#endif
 
 layout(push_constant) uniform Push {
   uint first, count; // the bin's entries
@@ -73,6 +86,12 @@ struct Resolved {
   float F90;    // of the dielectric: KHR_materials_specular's factor
   vec3 normal;  // after normal mapping, unit
   vec3 emissive;
+#ifdef PARITY_LOBES
+  float coat, coatRoughness; // coat 0: none
+  vec3 coatNormal;           // unit
+  vec3 sheenColor;           // black: none
+  float sheenRoughness;
+#endif
 };
 
 // Whether the material has the feature: known at compile time where all or none of the permutation's have.
@@ -139,15 +158,49 @@ vec3 anyTangent(vec3 n) {
   return vec3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
 }
 
-// texel: of the normal map.
-vec3 mapNormal(Point p, uint i, vec4 texel) {
+// texel: of the normal map; scale: of its slopes.
+vec3 mapNormal(Point p, uint i, vec4 texel, float scale) {
   vec4 tangent = hasVertexData(kVertexTangents) ? surfaceTangent[i] : vec4(0.0);
   if (dot(tangent.xyz, tangent.xyz) < 0.5) tangent = vec4(anyTangent(p.normal), 1.0);
   vec3 bitangent = tangent.w * cross(p.normal, tangent.xyz);
   vec3 t = texel.xyz * 2.0 - 1.0;
-  t.xy *= materials[p.material].factors.x;
+  t.xy *= scale;
   return safeNormalize(t.x * tangent.xyz + t.y * bitangent + t.z * p.normal, p.geometric);
 }
+
+// Roughness that grows with the spread of the normals where the map's alpha holds it. Slopes, and so the root of their
+// variance, scale with `scale`.
+float widenBySpread(float roughness, vec4 texel, float scale) {
+  if ((kTextures & kNormalVariance) == 0u) return roughness;
+  return widenRoughness(roughness, clamp(texel.w * texel.w * scale * scale, 0.0, 1.0));
+}
+
+#ifdef PARITY_LOBES
+void resolveCoat(inout Resolved r, Point p, uint i) {
+  uint m = p.material;
+  r.coat = r.coatRoughness = 0.0;
+  r.coatNormal = p.normal; // the coat does not follow the base's normal map
+  if (!hasFeature(kFeatureCoat, m)) return;
+  r.coat = materials[m].coat.x;
+  r.coatRoughness = materials[m].coat.y;
+  if (hasTexture(kSlotCoat, m)) r.coat *= fetch(coatTexture, kSlotCoat, m, i).x;
+  if (hasTexture(kSlotCoatRoughness, m)) r.coatRoughness *= fetch(coatRoughnessTexture, kSlotCoatRoughness, m, i).y;
+  if (!hasTexture(kSlotCoatNormal, m)) return;
+  vec4 texel = fetch(coatNormalTexture, kSlotCoatNormal, m, i);
+  r.coatNormal = mapNormal(p, i, texel, materials[m].coat.z);
+  r.coatRoughness = widenBySpread(r.coatRoughness, texel, materials[m].coat.z);
+}
+
+void resolveSheen(inout Resolved r, uint m, uint i) {
+  r.sheenColor = vec3(0.0);
+  r.sheenRoughness = 0.0;
+  if (!hasFeature(kFeatureSheen, m)) return;
+  r.sheenColor = materials[m].sheen.xyz;
+  r.sheenRoughness = materials[m].sheen.w;
+  if (hasTexture(kSlotSheenColor, m)) r.sheenColor *= fetch(sheenColorTexture, kSlotSheenColor, m, i).xyz;
+  if (hasTexture(kSlotSheenRoughness, m)) r.sheenRoughness *= fetch(sheenRoughnessTexture, kSlotSheenRoughness, m, i).w;
+}
+#endif
 
 Resolved resolveMaterial(Point p, uint i) {
   uint m = p.material;
@@ -180,12 +233,13 @@ Resolved resolveMaterial(Point p, uint i) {
   r.normal = p.normal;
   if (hasTexture(kSlotNormal, m)) {
     vec4 texel = fetch(normalTexture, kSlotNormal, m, i);
-    r.normal = mapNormal(p, i, texel);
-    // Slopes, and so the root of their variance, scale with normalScale.
-    if ((kTextures & kNormalVariance) != 0u)
-      r.roughness = widenRoughness(
-          r.roughness, clamp(texel.w * texel.w * materials[m].factors.x * materials[m].factors.x, 0.0, 1.0));
+    r.normal = mapNormal(p, i, texel, materials[m].factors.x);
+    r.roughness = widenBySpread(r.roughness, texel, materials[m].factors.x);
   }
+#ifdef PARITY_LOBES
+  resolveCoat(r, p, i);
+  resolveSheen(r, m, i);
+#endif
   return r;
 }
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "shading/terms.h"
 
 namespace parity::gpu {
 
@@ -32,13 +31,13 @@ void composite(float* plane, std::size_t firstPixel, const Surface& surface, con
 
 } // namespace
 
-FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, bool terms,
+FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, std::size_t terms,
                            const glm::vec3& background, const std::optional<TargetCodec>& target)
     : m_samples(samples), m_background(target ? target->store(target->write(background)) : background),
       m_target(target) {
   const int w = static_cast<int>(width), h = static_cast<int>(height);
   m_frame.color = base::Image(w, h, 3);
-  if (terms) m_frame.terms.assign(shading::kTermCount, base::Image(w, h, 3));
+  m_frame.terms.assign(terms, base::Image(w, h, 3));
 }
 
 void FrameBuilder::begin(const Tile& tile) {

@@ -14,8 +14,8 @@ namespace parity::gpu {
 class FrameBuilder {
 public:
   // target: what the colour is stored in, sample by sample, layer over layer, and once more when samples become a
-  // pixel; none: nothing is rounded. Terms are never.
-  FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, bool terms, const glm::vec3& background,
+  // pixel; none: nothing is rounded. Terms are never. terms: how many (SceneBuffers::termCount()); 0: none.
+  FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, std::size_t terms, const glm::vec3& background,
                const std::optional<TargetCodec>& target = std::nullopt);
 
   // One (tile, sample): begins with the background; then its layers from the back to the front, those of surfaces that

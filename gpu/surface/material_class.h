@@ -1,9 +1,11 @@
 // What of a material its shaders are specialised by.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 
+#include "gpu/shaders/interface.h"
 #include "scenes/scene.h"
 
 namespace parity::gpu {
@@ -15,6 +17,8 @@ struct MaterialClass {
   auto operator<=>(const MaterialClass&) const = default;
 };
 MaterialClass classify(const scenes::Material& material);
+// Its texture slots in the order of kSlot... of interface.h.
+std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Material& material);
 
 // Roughness that grows where a normal map is minified (shading/specular_aa.glsl), alike in every path.
 enum class SpecularAa { off, toksvig };

@@ -1,6 +1,7 @@
 #include "gpu/surface/material_pass.h"
 
 #include "gpu_shaders/material.comp.h"
+#include "gpu_shaders/material_lobes.comp.h"
 
 namespace parity::gpu {
 
@@ -10,6 +11,7 @@ PathProgram makeProgram(std::uint64_t expectedEntries, const Compilation& compil
   PathProgram program;
   program.name = "materials";
   program.spirv = kMaterialComp;
+  program.spirvOfLobes = kMaterialLobesComp;
   program.terms = true; // their buffers take the values
   program.expectedPixels = expectedEntries;
   program.compilation = compilation;
@@ -20,7 +22,7 @@ PathProgram makeProgram(std::uint64_t expectedEntries, const Compilation& compil
 
 MaterialPass::MaterialPass(const Device& device, const SceneBuffers& scene, const std::vector<BinKind>& binKinds,
                            std::uint64_t expectedEntries, const Compilation& compilation)
-    : m_pass(device, scene, binKinds, makeProgram(expectedEntries, compilation)) {}
+    : m_pass(device, scene, binKinds, makeProgram(expectedEntries, compilation)), m_hasLobes(scene.hasLobes()) {}
 
 std::vector<ResolvedMaterial> MaterialPass::resolve(const Surface& surface, const scenes::Camera& camera) const {
   const ShadedSurface planes = m_pass.shade(surface, camera);
@@ -41,6 +43,12 @@ std::vector<ResolvedMaterial> MaterialPass::resolve(const Surface& surface, cons
     m.emissive = glm::vec3(plane(kPlaneEmissive));
     m.occlusion = plane(kPlaneEmissive).w;
     m.geometricNormal = glm::vec3(plane(kPlaneGeometricNormal));
+    if (!m_hasLobes) continue; // nothing has written those planes
+    m.coatRoughness = plane(kPlaneGeometricNormal).w;
+    m.coatNormal = glm::vec3(plane(kPlaneCoatNormal));
+    m.coat = plane(kPlaneCoatNormal).w;
+    m.sheenColor = glm::vec3(plane(kPlaneSheen));
+    m.sheenRoughness = plane(kPlaneSheen).w;
   }
   return resolved;
 }

@@ -15,6 +15,8 @@ struct ResolvedMaterial {
   glm::vec3 baseColor{0.f}, F0{0.f}, emissive{0.f}; // F0: of the dielectric
   float opacity = 1, metallic = 0, roughness = 1, F90 = 1, occlusion = 1;
   bool unlit = false;
+  float coat = 0, coatRoughness = 0, sheenRoughness = 0;
+  glm::vec3 coatNormal{0.f}, sheenColor{0.f}; // coatNormal: unit
 };
 
 class MaterialPass {
@@ -28,6 +30,7 @@ public:
 
 private:
   ShadingPass m_pass;
+  bool m_hasLobes;
 };
 
 } // namespace parity::gpu

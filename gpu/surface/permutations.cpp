@@ -15,11 +15,13 @@ namespace parity::gpu {
 namespace {
 
 // Bits of a texture mask and of features, from the lowest.
-constexpr std::array<const char*, kSlotCount + 1> kTextureNames = {"base colour",     "metallic-roughness", "normal",
-                                                                   "occlusion",       "emissive",           "specular",
-                                                                   "specular colour", "spread of normals"};
-constexpr std::array<const char*, 4> kFeatureNames = {"unlit", "nonmetal", "fully rough", "blended"};
-static_assert(kNormalVariance == 1u << (kTextureNames.size() - 1) && kFeatureBlend == 1u << (kFeatureNames.size() - 1));
+constexpr std::array<const char*, kSlotCount + 1> kTextureNames = {
+    "base colour",      "metallic-roughness", "normal",          "occlusion",
+    "emissive",         "specular",           "specular colour", "coat",
+    "coat roughness",   "coat normal",        "sheen colour",    "sheen roughness",
+    "spread of normals"};
+constexpr std::array<const char*, 6> kFeatureNames = {"unlit", "nonmetal", "fully rough", "blended", "coat", "sheen"};
+static_assert(kNormalVariance == 1u << (kTextureNames.size() - 1) && kFeatureSheen == 1u << (kFeatureNames.size() - 1));
 
 std::string join(const std::vector<std::string>& words) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
@@ -33,7 +35,11 @@ bool serves(const Permutation& p, const MaterialClass& c) {
 } // namespace
 
 Permutation everyScenePermutation(std::uint32_t textures) {
-  return {textures, kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend, 0, true};
+  const bool lobes = (textures & kLobeTextures) != 0;
+  return {textures,
+          kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend |
+              (lobes ? kFeatureCoat | kFeatureSheen : 0u),
+          0, true};
 }
 
 PermutationBudget shareOf(std::size_t scene, std::size_t sceneCount) {

@@ -9,29 +9,13 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "scenes/texture_slots.h"
 
 namespace parity::gpu {
 
 namespace {
 
-const scenes::TextureSlot& slotOf(const scenes::Material& m, int slot) {
-  switch (slot) {
-  case kSlotBaseColor:
-    return m.baseColorTexture;
-  case kSlotMetallicRoughness:
-    return m.metallicRoughnessTexture;
-  case kSlotNormal:
-    return m.normalTexture;
-  case kSlotOcclusion:
-    return m.occlusionTexture;
-  case kSlotEmissive:
-    return m.emissiveTexture;
-  case kSlotSpecular:
-    return m.specularTexture;
-  default:
-    return m.specularColorTexture;
-  }
-}
+constexpr std::uint32_t kNormalMaps = 1u << kSlotNormal | 1u << kSlotCoatNormal;
 
 GpuMaterial pack(const scenes::Material& m) {
   scenes::Material withoutFactor = m;
@@ -42,9 +26,11 @@ GpuMaterial pack(const scenes::Material& m) {
   out.f0Roughness = vec4(withoutFactor.dielectricF0(), m.roughness);
   const float cutoff = m.alphaMode == scenes::AlphaMode::mask ? m.alphaCutoff : 1.f / 255;
   out.factors = vec4(m.normalScale, m.occlusionStrength, m.specular, cutoff);
+  out.coat = vec4(m.coat, m.coatRoughness, m.coatNormalScale, 0);
+  out.sheen = vec4(m.sheenColor, m.sheenRoughness);
   out.flags = uvec4(classify(m).features, 0, 0, 0);
   for (int slot = 0; slot < kSlotCount; ++slot) {
-    const scenes::TextureSlot& texture = slotOf(m, slot);
+    const scenes::TextureSlot& texture = *slotsOf(m)[slot];
     const auto& t = texture.uvTransform;
     out.slots[slot].uvRow0 = vec4(t[0], t[1], t[2], static_cast<float>(texture.texCoord));
     out.slots[slot].uvRow1 = vec4(t[3], t[4], t[5], texture.present() ? 1.f : 0.f);
@@ -140,6 +126,14 @@ Buffer makeBuffer(const Device& device, std::span<const T> content, const scenes
 
 } // namespace
 
+static_assert(scenes::kTextureSlots.size() == kSlotCount, "in the order of kSlot...");
+
+std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Material& m) {
+  std::array<const scenes::TextureSlot*, kSlotCount> slots{};
+  for (std::size_t i = 0; i < slots.size(); ++i) slots[i] = &(m.*scenes::kTextureSlots[i].slot);
+  return slots;
+}
+
 MaterialClass classify(const scenes::Material& material) {
   MaterialClass result;
   if (material.unlit) {
@@ -148,7 +142,11 @@ MaterialClass classify(const scenes::Material& material) {
     if (material.baseColorTexture.present()) result.textures = 1u << kSlotBaseColor;
   } else {
     for (int slot = 0; slot < kSlotCount; ++slot)
-      if (slotOf(material, slot).present()) result.textures |= 1u << slot;
+      if (slotsOf(material)[slot]->present()) result.textures |= 1u << slot;
+    if (!material.hasCoat()) result.textures &= ~kCoatTextures;
+    if (!material.hasSheen()) result.textures &= ~kSheenTextures;
+    if (material.hasCoat()) result.features |= kFeatureCoat;
+    if (material.hasSheen()) result.features |= kFeatureSheen;
     if (material.isNonmetal()) result.features |= kFeatureNonmetal;
     if (material.fullyRough) result.features |= kFeatureFullyRough;
   }
@@ -159,22 +157,23 @@ MaterialClass classify(const scenes::Material& material) {
 SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa,
                            ImageDone onLastRead, const scenes::LightmapUvs* lightmap)
     : m_scene(scene), m_textures(device, scene, specularAa == SpecularAa::toksvig, std::move(onLastRead)),
-      m_specularAa(specularAa) {
+      m_specularAa(specularAa), m_hasLobes(scene.hasLobes()) {
   bool anyColors = false, anyUvs = false, anyTangents = false, anySecondUv = false;
   for (const scenes::Mesh& mesh : scene.meshes) {
     anyColors |= !mesh.colors.empty();
     anyUvs |= !mesh.uv0.empty() || !mesh.uv1.empty();
     anyTangents |= !mesh.tangents.empty();
   }
-  m_textureBits = ((1u << kSlotCount) - 1) | (specularAa == SpecularAa::toksvig ? kNormalVariance : 0u);
+  m_textureBits = (((1u << kSlotCount) - 1) & (m_hasLobes ? ~0u : ~kLobeTextures)) |
+                  (specularAa == SpecularAa::toksvig ? kNormalVariance : 0u);
   std::vector<GpuMaterial> gpuMaterials;
   for (const scenes::Material& material : scene.materials) {
     MaterialClass& materialClass = m_classOfMaterial.emplace_back(classify(material));
-    if (specularAa == SpecularAa::toksvig && (materialClass.textures & 1u << kSlotNormal) != 0)
+    if (specularAa == SpecularAa::toksvig && (materialClass.textures & kNormalMaps) != 0)
       materialClass.textures |= kNormalVariance;
     gpuMaterials.push_back(pack(material));
     for (int slot = 0; slot < kSlotCount; ++slot)
-      anySecondUv |= slotOf(material, slot).present() && slotOf(material, slot).texCoord == 1;
+      anySecondUv |= slotsOf(material)[slot]->present() && slotsOf(material)[slot]->texCoord == 1;
   }
   m_vertexData = (anyColors ? kVertexColors : 0u) | (anyUvs ? kVertexUvs : 0u) | (anyTangents ? kVertexTangents : 0u) |
                  (anySecondUv ? kVertexSecondUv : 0u) | (scene.fog ? kVertexFog : 0u);

@@ -11,6 +11,7 @@
 #include "gpu/surface/textures.h"
 #include "scenes/gltf/lightmap_uvs.h"
 #include "scenes/scene.h"
+#include "shading/terms.h"
 
 namespace parity::gpu {
 
@@ -31,6 +32,9 @@ public:
   std::uint32_t vertexData() const { return m_vertexData; }
   // All bits of a texture mask that a scene of these settings may have.
   std::uint32_t textureBits() const { return m_textureBits; }
+  // Planes of terms that a path writes of it: those after fog only where a material has coat or sheen.
+  std::size_t termCount() const { return m_hasLobes ? shading::kTermCount : shading::kBaseTermCount; }
+  bool hasLobes() const { return m_hasLobes; }
   // First index and base vertex of each mesh in the shared buffers.
   struct MeshRange {
     std::uint32_t firstIndex = 0, indexCount = 0, baseVertex = 0;
@@ -49,6 +53,7 @@ private:
   std::vector<MeshRange> m_meshes;
   SpecularAa m_specularAa;
   std::uint32_t m_vertexData = 0, m_textureBits = 0;
+  bool m_hasLobes = false;
 };
 
 } // namespace parity::gpu

@@ -103,7 +103,7 @@ struct ShadingPass::Impl {
   PathProgram program;
   DeviceImage blackCube, white, whiteArray;
   vk::raii::Sampler linearClamp;
-  Buffer view, lights, pathData, nothing, noLamps;
+  Buffer view, lights, pathData, nothing, nothingUniform;
   vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
   std::vector<std::unique_ptr<DescriptorSets>> textureSets; // of each kind of bin that was seen
   vk::raii::PipelineLayout layout{nullptr};
@@ -112,15 +112,17 @@ struct ShadingPass::Impl {
   std::vector<vk::Pipeline> pipelines; // of those, in the store
   PipelineStore ownStore;
   PipelineStore& store;
+  bool shadesLobes;
 
   Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
       : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
         white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), linearClamp(makeLinearClamp(dev)),
         view(dev, sizeof(GpuView)), lights(dev, std::span<const GpuLight>(program.lights)),
         pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), nothing(dev, 0),
-        noLamps(dev, kMaxLamps * sizeof(GpuLamp)),
-        plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
-        store(program.compilation.store ? *program.compilation.store : ownStore) {
+        nothingUniform(dev, kLargestUniform), plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
+        store(program.compilation.store ? *program.compilation.store : ownStore),
+        shadesLobes(buffers.hasLobes() && !program.spirvOfLobes.empty()) {
+    if (shadesLobes) program.spirv = program.spirvOfLobes;
     const auto none = textures().bindings({});
     textureLayout = makeSetLayout(device, std::vector<Binding>(none.begin(), none.end()), kCompute);
     textureSets.resize(kinds.size());
@@ -169,7 +171,8 @@ struct ShadingPass::Impl {
                            : noSky);
     bindings.push_back(vk::DescriptorImageInfo(
         *linearClamp, sky && sky->panorama ? sky->panorama->view() : white.view(), kReadOnlyLayout));
-    bindings.push_back(uniform(sky && sky->lamps ? *sky->lamps : noLamps));
+    bindings.push_back(uniform(sky && sky->lamps ? *sky->lamps : nothingUniform));
+    bindings.push_back(uniform(sky && sky->points ? *sky->points : nothingUniform));
     return bindings;
   }
 
@@ -190,8 +193,8 @@ struct ShadingPass::Impl {
     const bool any = permutation.everyScene;
     const std::uint32_t vertexData = scene.vertexData();
     std::vector<std::uint32_t> constants = {permutation.textures,
-                                            permutation.mayFeatures,
-                                            permutation.mustFeatures,
+                                            permutation.mayFeatures & ~program.hiddenFeatures,
+                                            permutation.mustFeatures & ~program.hiddenFeatures,
                                             any ? kUnknown : program.directionalCount,
                                             any                  ? kUnknown
                                             : program.listLights ? kListed
@@ -233,17 +236,17 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   ShadedSurface result;
   result.premultiplied = program.premultiplied;
   const std::size_t n = surface.size();
-  if (program.terms) result.terms.resize(shading::kTermCount);
+  if (program.terms) result.terms.resize(scene.termCount());
   if (n == 0) return result;
 
   GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
-  constexpr std::size_t kTermsInB = shading::kTermCount - kTermsInA;
+  const std::size_t written = shadesLobes ? shading::kTermCount : shading::kBaseTermCount;
   const vk::DeviceSize plane = n * sizeof(glm::vec4);
   const Buffer color(device, plane), termsA(device, program.terms ? kTermsInA * plane : 0),
-      termsB(device, program.terms ? kTermsInB * plane : 0);
+      termsB(device, program.terms ? (written - kTermsInA) * plane : 0);
   const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
   const std::vector<Binding> bindings =
       surfaceBindings(surface, program.listLights ? lists : pathData, color, termsA, termsB);
@@ -273,7 +276,8 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   result.color = color.downloadAs<glm::vec4>(n);
   for (std::size_t t = 0; t < result.terms.size(); ++t)
     result.terms[t] = t < kTermsInA ? termsA.downloadAs<glm::vec4>(n, t * plane)
-                                    : termsB.downloadAs<glm::vec4>(n, (t - kTermsInA) * plane);
+                      : t < written ? termsB.downloadAs<glm::vec4>(n, (t - kTermsInA) * plane)
+                                    : std::vector<glm::vec4>(n);
   return result;
 }
 

@@ -30,7 +30,8 @@ struct EnvironmentMaps {
   // The panorama's cells (lighting/environment/panorama_cells.h), where the cube has fine levels to go with them.
   std::optional<DeviceImage> panorama = std::nullopt;
   float panoramaTurns = 0;
-  std::optional<Buffer> lamps = std::nullopt; // kMaxLamps of GpuLamp, as path.glsl has them
+  std::optional<Buffer> lamps = std::nullopt;  // kMaxLamps of GpuLamp, as path.glsl has them
+  std::optional<Buffer> points = std::nullopt; // kEnvironmentPoints of GpuEnvironmentPoint: for scenes with sheen
 };
 
 // What a scene may compile, and what its run has compiled already.
@@ -43,6 +44,7 @@ struct Compilation {
 struct PathProgram {
   std::string name; // for timings
   Spirv spirv;
+  Spirv spirvOfLobes = {}; // for scenes with coat or sheen (PARITY_LOBES of path.glsl); empty: the path has neither
   std::vector<GpuLight> lights;       // directional ones first
   std::uint32_t directionalCount = 0; // lights the shader loops over; constants 3 and 4
   std::uint32_t localCount = 0;
@@ -57,6 +59,7 @@ struct PathProgram {
   const BakedMaps* baked = nullptr;               // bindings 21 to 24; null: none
   std::array<glm::vec4, kPathNumbers> numbers{};  // the path's own, GpuView::path
   std::vector<std::uint32_t> constants;           // the path's own specialization constants, from kConstantPath
+  std::uint32_t hiddenFeatures = 0;               // kFeature... bits that materials are shaded without
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same
   bool terms = false;
   bool premultiplied = false;       // the shader multiplies colour and terms by the opacity
@@ -67,7 +70,7 @@ struct PathProgram {
 // Per entry of a surface, in its order.
 struct ShadedSurface {
   std::vector<glm::vec4> color;              // radiance, opacity
-  std::vector<std::vector<glm::vec4>> terms; // kTermCount planes, or none
+  std::vector<std::vector<glm::vec4>> terms; // SceneBuffers::termCount() planes, or none
   bool premultiplied = false;                // radiance and terms are times the opacity already
 };
 

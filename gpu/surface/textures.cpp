@@ -37,11 +37,6 @@ vk::raii::Sampler makeSampler(const Device& device, const scenes::Sampler& sampl
   return vk::raii::Sampler(device.handle(), info);
 }
 
-std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Material& m) {
-  return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture,       &m.occlusionTexture,
-          &m.emissiveTexture,  &m.specularTexture,          &m.specularColorTexture};
-}
-
 DeviceImage makeImage(const Device& device, int width, int height, bool srgb) {
   return DeviceImage(device, {.format = srgb ? vk::Format::eR8G8B8A8Srgb : vk::Format::eR8G8B8A8Unorm,
                               .width = static_cast<std::uint32_t>(width),
@@ -81,13 +76,14 @@ DeviceImage upload(const Device& device, const base::Image8& base, bool srgb, No
 } // namespace
 
 Textures::Use Textures::useOf(int slot, bool normalVariance) {
-  if (slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor) return Use::color;
-  return slot == kSlotNormal && normalVariance ? Use::normalVariance : Use::data;
+  if (slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor || slot == kSlotSheenColor)
+    return Use::color;
+  return (slot == kSlotNormal || slot == kSlotCoatNormal) && normalVariance ? Use::normalVariance : Use::data;
 }
 
-std::size_t countSamplers(const scenes::Material& material, bool normalVariance) {
+std::size_t countSamplers(const scenes::Material& material, bool normalVariance, std::uint32_t slots) {
   std::vector<std::tuple<int, Textures::Use, scenes::Sampler>> pairs;
-  const std::uint32_t read = classify(material).textures;
+  const std::uint32_t read = classify(material).textures & slots;
   for (int slot = 0; slot < kSlotCount; ++slot) {
     if ((read >> slot & 1u) == 0) continue;
     const scenes::TextureSlot& texture = *slotsOf(material)[slot];

@@ -18,7 +18,7 @@ using ImageDone = std::function<void(int)>;
 // What is left of a mip, RGBA8, by the way that a path stores its textures; isColor: RGB is sRGB-encoded.
 using TextureCodec = std::function<base::Image8(const base::Image8& mip, bool isColor)>;
 
-// One texture set is the images and samplers of a material's seven slots; materials with equal sets share a descriptor
+// One texture set is the images and samplers of a material's slots; materials with equal sets share a descriptor
 // set. An image is uploaded when it is first required. Not thread-safe.
 class Textures {
 public:
@@ -39,7 +39,7 @@ public:
   };
   // Uploads what these need and is not there yet.
   void require(std::span<const Need> needs) const;
-  // The seven bindings of a set, in slot order: white for a slot without a texture or one that was not needed. Uploads.
+  // The bindings of a set, in slot order: white for a slot without a texture or one that was not needed. Uploads.
   std::vector<vk::DescriptorImageInfo> bindings(const Need& need) const;
 
   // Whether some material has a texture.
@@ -51,7 +51,7 @@ public:
 private:
   // What an image is uploaded as: its encoding, and what its mips hold.
   enum class Use { color, data, normalVariance };
-  friend std::size_t countSamplers(const scenes::Material& material, bool normalVariance);
+  friend std::size_t countSamplers(const scenes::Material& material, bool normalVariance, std::uint32_t slots);
   static Use useOf(int slot, bool normalVariance);
   struct Binding {
     int image = -1; // into m_images; -1: white
@@ -81,8 +81,8 @@ private:
   DeviceImage m_whiteColor, m_whiteData;
 };
 
-// How many pairs of an image and a sampler a material's shader reads: a pair that several slots share counts once, an
-// image that is read as colour and as data is two.
-std::size_t countSamplers(const scenes::Material& material, bool normalVariance);
+// How many pairs of an image and a sampler a material's shader reads, of these slots (bits): a pair that several slots
+// share counts once, an image that is read as colour and as data is two.
+std::size_t countSamplers(const scenes::Material& material, bool normalVariance, std::uint32_t slots = ~0u);
 
 } // namespace parity::gpu

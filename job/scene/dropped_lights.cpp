@@ -4,8 +4,7 @@
 #include <cassert>
 #include <set>
 
-#include "compare/metrics/measure_swaps.h"
-#include "job/view/material_swaps.h"
+#include "job/scene/swap_effects.h"
 #include "scenes/light_names.h"
 
 namespace parity::job {
@@ -26,34 +25,10 @@ std::vector<std::uint64_t> samplesInQuestion(const scenes::Scene& scene, const s
   return samples;
 }
 
-// Mean FLIP against the reference's picture of those in which each of the materials that has pixels lacks the light
-// alone.
-std::vector<report::LightEffect> effectsOn(Context& context, const std::set<std::size_t>& materials,
-                                           const scenes::Scene& scene, const ViewFrames& frames,
-                                           const Displayed& reference, const base::Image& without, float exposureEv) {
-  const Displayed shown = displayImage(without, context.display(), exposureEv);
-  std::vector<compare::Swap> swaps;
-  for (const std::size_t m : materials) {
-    const base::PixelList& list = frames.coverage[m];
-    compare::Swap& swap = swaps.emplace_back(
-        displaySwap(context, list, mixByCoverage(list, frames.first().frame.color, without), 0, exposureEv, &shown));
-    swap.linear = {};
-    // What is no number in both is not the light's doing: black in both.
-    std::erase_if(swap.nonFinite, [&](std::uint32_t place) {
-      return std::ranges::binary_search(reference.nonFinite, list.pixels[place]);
-    });
-  }
-  compare::MeasureRequest request;
-  request.statistics = {"flip.mean"};
-  const std::vector<compare::Figures> measured =
-      compare::measureSwaps({.displayed = reference.pixels}, swaps, request).figures;
-  std::vector<report::LightEffect> effects;
-  for (auto m = materials.begin(); const compare::Figures& figures : measured) {
-    const std::string& name = scene.materials[*m++].name;
-    if (const std::optional<double> flip = figures.find("flip.mean"); flip && figures.pixels > 0)
-      effects.push_back({name, *flip});
-  }
-  return effects;
+std::vector<report::LightEffect> named(const std::map<std::size_t, double>& effects, const scenes::Scene& scene) {
+  std::vector<report::LightEffect> result;
+  for (const auto& [material, flip] : effects) result.push_back({scene.materials[material].name, flip});
+  return result;
 }
 
 } // namespace
@@ -92,7 +67,8 @@ std::optional<report::DroppedLights> measureDroppedLights(Context& context, cons
          .kind = scenes::nameOf(lights[i].kind),
          .keptBy = uses[i].keptBy,
          .droppedBy = uses[i].droppedBy.size(),
-         .materials = effectsOn(context, materials, scene, frames, compared.reference, color, settings.exposureEv)});
+         .materials =
+             named(swapEffects(context, materials, frames, compared.reference, color, settings.exposureEv), scene)});
   }
   report::rankByEffect(dropped);
   return dropped;

@@ -18,6 +18,8 @@ std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& w
   add("textures", "images", work.images, why.texture);
   add("spread of normals", "images", work.varianceImages, why.variance);
   add("texture compression", "images", work.compressedImages, why.compression);
+  add("clear coat", "materials", work.coats, why.coat);
+  add("sheen", "materials", work.sheens, why.sheen);
   add("directional lights", "lights", work.directionalLights, why.directional);
   add("local lights", "lights", work.localLights, why.local);
   add("culling of local lights", "groups", work.lightLists, why.lightLists);
@@ -35,6 +37,7 @@ std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& w
   add("compare", "pixels", work.comparedPixels, "");
   add("compare with the truth", "pixels", work.comparedWithTruth, why.truth);
   add("dropped lights", "pictures", work.lightPictures, why.droppedLights);
+  add("dropped lobes", "pictures", work.lobePictures, why.droppedLobes);
   add("shader costs", "shaders", work.countedShaders, why.costs);
   return passes;
 }

@@ -9,6 +9,7 @@
 #include "base/member_count.h"
 #include "lighting/surface/surface_hash.h"
 #include "reference/fog.h"
+#include "reference/layers.h"
 #include "reference/sampling.h"
 
 namespace parity::job {
@@ -34,7 +35,12 @@ samplesOf(const gpu::Surface& surface, const std::vector<gpu::ResolvedMaterial>&
                   .dielectricF0 = m.F0,
                   .dielectricF90 = m.F90,
                   .occlusion = m.occlusion,
-                  .emissive = m.emissive};
+                  .emissive = m.emissive,
+                  .coat = m.coat,
+                  .coatRoughness = m.coatRoughness,
+                  .coatNormal = m.coatNormal,
+                  .sheenColor = m.sheenColor,
+                  .sheenRoughness = m.sheenRoughness};
   }
   return samples;
 }
@@ -98,7 +104,7 @@ ReferencePath::ReferencePath(Context& context, const PreparedScene& prepared, co
                              const gpu::SceneBuffers& buffers, const std::vector<gpu::BinKind>& binKinds,
                              std::uint64_t expectedEntries, const gpu::Compilation& compilation)
     : m_context(context), m_prepared(prepared), m_settings(settings),
-      m_materials(context.device(), buffers, binKinds, expectedEntries, compilation) {
+      m_materials(context.device(), buffers, binKinds, expectedEntries, compilation), m_termCount(buffers.termCount()) {
   if (context.cache().enabled()) m_lightKey = makeLightKey(context.buildId(), prepared, settings);
 }
 
@@ -111,8 +117,11 @@ std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<
   reference::Options options = m_settings.reference;
   if (m_prepared.panorama && !m_sampler)
     m_sampler = std::make_unique<reference::EnvironmentSampler>(*m_prepared.panorama);
-  if (options.model.needsAlbedo() && !m_albedo)
+  const bool hasCoat = std::ranges::any_of(samples, [](const auto& sample) { return sample.coat > 0; });
+  if ((options.model.needsAlbedo() || hasCoat) && !m_albedo)
     m_albedo = std::make_unique<reference::DirectionalAlbedo>(albedoOf(m_context, options.model));
+  if (!m_sheenAlbedo && std::ranges::any_of(samples, reference::hasSheen))
+    m_sheenAlbedo = std::make_unique<reference::SheenAlbedo>();
   if ((m_settings.shadows || options.bounces > 0) && !m_visibility)
     m_visibility = std::make_unique<lighting::Visibility>(m_prepared.scene);
   if (options.bounces > 0 && !m_surfaces) {
@@ -124,7 +133,8 @@ std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<
                                  .lights = m_prepared.lights,
                                  .visibility = m_visibility.get(),
                                  .surfaces = m_surfaces.get(),
-                                 .emitters = m_emitters.get()};
+                                 .emitters = m_emitters.get(),
+                                 .sheenAlbedo = m_sheenAlbedo.get()};
   return reference::shade(samples, inputs, options, progress);
 }
 
@@ -148,7 +158,7 @@ ReferenceSurface ReferencePath::shade(const gpu::Surface& surface, const scenes:
       points[i] = reference::seenThrough(reference::fogBetween(*fog, camera, materials[i].position), points[i]);
 
   ReferenceSurface result;
-  if (m_settings.terms) result.shaded.terms.assign(shading::kTermCount, {});
+  if (m_settings.terms) result.shaded.terms.assign(m_termCount, {});
   for (auto& plane : result.shaded.terms) plane.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     glm::vec3 color(0);

@@ -39,9 +39,11 @@ private:
   const PreparedScene& m_prepared;
   const Settings& m_settings;
   gpu::MaterialPass m_materials;
+  std::size_t m_termCount;
   std::string m_lightKey;                                   // of environment, lights, occluders, surfaces and options
   std::unique_ptr<reference::EnvironmentSampler> m_sampler; // made on first use: a cached result needs none of these
   std::unique_ptr<reference::DirectionalAlbedo> m_albedo;
+  std::unique_ptr<reference::SheenAlbedo> m_sheenAlbedo; // where something has a sheen
   std::unique_ptr<lighting::Visibility> m_visibility;
   std::unique_ptr<lighting::SurfaceLight> m_surfaces; // these two where light bounces
   std::unique_ptr<lighting::Emitters> m_emitters;

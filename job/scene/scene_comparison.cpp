@@ -14,6 +14,7 @@
 #include "job/context.h"
 #include "job/result_cache.h"
 #include "job/scene/dropped_lights.h"
+#include "job/scene/dropped_lobes.h"
 #include "job/scene/external_pictures.h"
 #include "job/scene/material_cards.h"
 #include "job/scene/material_choice.h"
@@ -233,8 +234,10 @@ private:
       ComparedView compared = compareOne(index, view, prepared, renderer, frames, wish);
       comparedPixels += compared.view.whole.pixels;
       compared.view.conditions = conditionsOfRow(request, view, judges.conditions);
-      if (isOurs)
+      if (isOurs) {
         compared.view.droppedLights = measureDroppedLights(m_context, prepared, renderer, camera, frames, compared);
+        measureDroppedLobes(m_context, prepared, renderer, camera, frames, compared);
+      }
       if (key) plainViews.push_back(compared.view);
       std::vector<EncodedPicture> termPictures;
       attributed.push_back(isOurs ? materialsToAttribute(request.settings.attribution, compared.view, judges)

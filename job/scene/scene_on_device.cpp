@@ -108,6 +108,7 @@ std::unique_ptr<paths::Renderer> SceneOnDevice::makeRenderer(const paths::Path& 
                             .asksForShadows = m_prepared.settings.shadows,
                             .shadowMaps = m_settings.shadowMaps,
                             .terms = wish.terms,
+                            .hiddenFeatures = wish.hiddenFeatures,
                             .intermediate = wish.intermediate,
                             .compilation = {wish.budget, &m_context.pipelines()},
                             .expectedPixels = wish.expectedPixels,

@@ -21,6 +21,7 @@ public:
     bool terms = false;
     bool originalTextures = false; // although the path compresses them
     std::uint32_t intermediate = 0;
+    std::uint32_t hiddenFeatures = 0; // lobes to leave out
     std::uint64_t expectedPixels = 0;
     gpu::PermutationBudget budget{};
   };

@@ -33,16 +33,21 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
     m_work.captures = prepared.baked->captures.size();
   }
   m_mayDropLights = mayDropLights();
+  m_mayDropLobes = mayDropLobes();
   for (const paths::Path* path : paths.chosen)
-    m_paths.push_back(
-        {path, makeRenderer(*path, {.terms = settings.terms, .intermediate = paths.intermediate}, views), {}, {}, {}});
+    m_paths.push_back({path,
+                       makeRenderer(*path, {.terms = settings.terms, .intermediate = paths.intermediate}, views),
+                       {},
+                       {},
+                       {},
+                       {}});
   for (std::size_t i = 1; i < m_paths.size(); ++i) // those that are compared with the first
     if (m_scene.hasOwnTextures(*m_paths[i].path, settings.options))
       m_paths[i].ofOriginals = makeRenderer(*m_paths[i].path, {.originalTextures = true}, views);
   if (paths.compares())
     for (const WhatIfPreset& each : settings.whatIfs) {
       const paths::Path& path = pathByName(each.path);
-      m_whatIfs.push_back({&path, makeRenderer(path, each.options, {}, views), {}, {}, {}});
+      m_whatIfs.push_back({&path, makeRenderer(path, each.options, {}, views), {}, {}, {}, {}});
     }
   if (paths.truth) {
     m_truth.emplace(context, prepared, settings, m_scene.buffers(), m_scene.surfacePass().binKinds(),
@@ -58,6 +63,16 @@ bool SceneRenderer::mayDropLights() const {
   if (!m_choice.chosen.front()->switchesLights()) return false;
   return std::any_of(m_choice.chosen.begin() + 1, m_choice.chosen.end(), [&](const paths::Path* path) {
     return path->mayDropLights(lightOf(m_prepared, *path).lights, m_settings.options);
+  });
+}
+
+bool SceneRenderer::mayDropLobes() const {
+  if (m_settings.droppedLights == 0 || !m_choice.compares() || !m_prepared.scene.hasLobes()) return false;
+  if (!m_choice.chosen.front()->hidesLobes()) return false;
+  return std::any_of(m_choice.chosen.begin() + 1, m_choice.chosen.end(), [&](const paths::Path* path) {
+    return std::ranges::any_of(m_prepared.scene.materials, [&](const scenes::Material& material) {
+      return path->droppedLobes(material, m_settings.options) != 0;
+    });
   });
 }
 
@@ -120,7 +135,8 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
       m_scene.requireTextures(visible);
       const bool mayAddTerms =
           m_choice.compares() && !settings.terms && settings.attribution == Attribution::overBudget;
-      const bool keeps = parts == 1 && (mayAddTerms || m_mayDropLights) && visible.size() <= kMaxKeptEntries;
+      const bool keeps =
+          parts == 1 && (mayAddTerms || m_mayDropLights || m_mayDropLobes) && visible.size() <= kMaxKeptEntries;
       const std::size_t layerCount = visible.layers.size();
       view.begin(tile);
       // From the back to the front, as hardware blends; one layer's surface at a time.
@@ -188,8 +204,8 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
   for (const std::size_t material : materials) wanted[material] = 1;
   gpu::SwapBuilder variants(m_scene.buffers().materialOfInstance(), m_prepared.scene.materials.size(),
                             static_cast<std::uint32_t>(settings.width), settings.samples,
-                            std::vector<glm::vec3>(TermVariants::kPlanes, settings.background), std::nullopt,
-                            std::move(wanted));
+                            std::vector<glm::vec3>(1 + m_scene.buffers().termCount(), settings.background),
+                            std::nullopt, std::move(wanted));
   const auto lay = [&](const gpu::Surface& surface) {
     const base::Stopwatch watch(&m_context.timings(), "shade terms");
     m_again.termSamples += 2 * surface.size();
@@ -222,10 +238,24 @@ base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera
   return frame.take().color;
 }
 
+base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scenes::Camera& camera) {
+  PathState& first = m_paths.front();
+  std::unique_ptr<paths::Renderer>& without = first.without[features];
+  if (!without) without = makeRenderer(*first.path, {.hiddenFeatures = features}, m_views);
+  gpu::FrameBuilder frame = makeFrame(false);
+  const auto lay = [&](const gpu::Surface& surface) {
+    const base::Stopwatch watch(&m_context.timings(), "shade without a lobe");
+    frame.lay(surface, without->shade(surface, camera));
+  };
+  layAgain(camera, m_work, {[&](const gpu::Tile& tile) { frame.begin(tile); }, lay, [&] { frame.end(); }});
+  ++m_work.lobePictures;
+  return frame.take().color;
+}
+
 gpu::FrameBuilder SceneRenderer::makeFrame(bool terms) const {
   const Settings& settings = m_settings;
   return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height), settings.samples,
-          terms, settings.background};
+          terms ? m_scene.buffers().termCount() : 0, settings.background};
 }
 
 void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Composition& composition) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,6 +37,10 @@ public:
   // there are seenSamples.
   base::Image renderWithout(std::size_t light, const scenes::Camera& camera);
 
+  // That view again, by the first path without these lobes (gpu::kFeatureCoat, kFeatureSheen). Only where it
+  // hidesLobes.
+  base::Image renderWithoutLobes(std::uint32_t features, const scenes::Camera& camera);
+
   const PathChoice& paths() const { return m_choice; }
   const paths::Renderer& renderer(std::size_t path) const { return *m_paths[path].plain; }
 
@@ -57,12 +62,14 @@ private:
     std::unique_ptr<paths::Renderer> plain;               // with terms where the settings ask for them
     std::unique_ptr<paths::Renderer> ofOriginals;         // where it has textures of its own, and the run compares
     std::unique_ptr<paths::Renderer> withTerms, switched; // made when first needed
+    std::map<std::uint32_t, std::unique_ptr<paths::Renderer>> without; // the same, without some lobes
   };
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Path& path, SceneOnDevice::RendererWish wish,
                                                 std::size_t views);
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Path& path, const paths::Options& options,
                                                 SceneOnDevice::RendererWish wish, std::size_t views);
   bool mayDropLights() const;
+  bool mayDropLobes() const;
   gpu::VisibleLayers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
   gpu::Surface resolve(const gpu::VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera);
   // By every path, laid over what is in `view` already.
@@ -87,6 +94,7 @@ private:
   gpu::PermutationBudget m_budget;
   Work m_work, m_again; // by render and by addTerms
   SceneOnDevice m_scene;
+  bool m_mayDropLobes = false;      // and the run wants to know what they are worth
   std::vector<gpu::Surface> m_kept; // all of the last view, where it may be shaded again: a picture in one part
   bool m_mayDropLights = false;     // and the run wants to know what they do
   std::vector<std::uint64_t> m_seenSamples;

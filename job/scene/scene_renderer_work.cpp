@@ -55,6 +55,13 @@ Work SceneRenderer::work() const {
   work.images = textures.uploadedCount();
   work.varianceImages = textures.varianceCount();
   work.compressedImages = m_scene.compressedImages();
+  std::set<std::uint32_t> placed;
+  for (const scenes::Instance& instance : m_prepared.scene.instances)
+    placed.insert(m_prepared.scene.meshes[instance.mesh].material);
+  for (const std::uint32_t material : placed) {
+    work.coats += m_prepared.scene.materials[material].hasCoat();
+    work.sheens += m_prepared.scene.materials[material].hasSheen();
+  }
   std::set<const gpu::ShadowMaps*> maps;
   for (const PathState& each : m_paths) {
     std::uint64_t& samples = work.shadedSamples.emplace_back(each.path->name(), 0).second;
@@ -63,6 +70,10 @@ Work SceneRenderer::work() const {
         samples += samplesOf((*renderer)->pass());
         work.lightLists += (*renderer)->work().lightLists;
       }
+    for (const auto& [features, renderer] : each.without) {
+      samples += samplesOf(renderer->pass());
+      work.lightLists += renderer->work().lightLists;
+    }
     const paths::RendererWork own = each.plain->work();
     work.directionalLights += own.directionalLights;
     work.localLights += own.localLights;
@@ -109,6 +120,8 @@ NoNeed SceneRenderer::reasons() const {
   why.compression = compresses ? why.texture : "not requested";
   why.blended = "no blended material";
   why.fog = "no fog";
+  why.coat = "no object has one";
+  why.sheen = "no object has any";
   why.directional = !unlit.empty() ? unlit : "no directional light";
   why.local = !unlit.empty() ? unlit : "no local lights";
   why.lightLists = work().localLights == 0 ? why.local : "few lights, or lights without a range";
@@ -125,6 +138,7 @@ NoNeed SceneRenderer::reasons() const {
     why.local = "they are baked";
   why.lightChoice = work().localLights == 0 ? why.local : "the preset expects them baked";
   why.droppedLights = settings.droppedLights > 0 ? "no light of a visible object is dropped" : "not requested";
+  why.droppedLobes = settings.droppedLights > 0 ? "no lobe of a visible material is dropped" : "not requested";
   why.terms = why.occluders = why.costs = why.whatIfs = "not requested";
   why.truth = settings.truth ? why.environment : "not requested";
   return why;

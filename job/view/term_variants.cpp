@@ -14,14 +14,14 @@ constexpr std::size_t kGrainSamples = 16384;
 
 TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface& reference,
                            const gpu::ShadedSurface& test)
-    : m_reference(reference), m_test(test) {
+    : m_reference(reference), m_test(test), m_colors(test.terms.size()) {
   for (std::vector<glm::vec4>& colors : m_colors) colors.resize(surface.size());
   base::parallelFor(surface.size(), kGrainSamples, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       // The reference's term as the test would have it: times the opacity where the test's are.
       const bool multiplied = surface.blended && test.premultiplied && !reference.premultiplied;
       const double opacity = multiplied ? reference.color[i].w : 1;
-      for (std::size_t t = 0; t < shading::kTermCount; ++t) {
+      for (std::size_t t = 0; t < m_colors.size(); ++t) {
         glm::vec4& out = m_colors[t][i];
         out.w = test.color[i].w;
         for (int c = 0; c < 3; ++c) {
@@ -30,7 +30,7 @@ TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface
           if (std::isfinite(color)) { // in double: a term may be all of the colour
             sum = color - test.terms[t][i][c] + other;
           } else {
-            for (std::size_t k = 0; k < shading::kTermCount; ++k)
+            for (std::size_t k = 0; k < m_colors.size(); ++k)
               if (k != t) sum += test.terms[k][i][c];
           }
           out[c] = static_cast<float>(sum);

@@ -1,29 +1,25 @@
 // The test path's colours with one of their terms exchanged for the reference path's: what attribution composes.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "gpu/surface/material_swap.h"
-#include "shading/terms.h"
 
 namespace parity::job {
 
 // Of a surface shaded by both paths with their terms, which must outlive the variants.
 class TermVariants {
 public:
-  static constexpr std::size_t kPlanes = 1 + shading::kTermCount;
-
   // Variant t is the test's colour less its term t, plus the reference's; where the test's colour is not finite the sum
   // of its other terms, plus the reference's, so that a term that is NaN is found. Nothing is clamped.
   TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface& reference, const gpu::ShadedSurface& test);
 
-  // kPlanes of them: the test's colours as they are, then the variants; each beside the reference's colours.
+  // The test's colours as they are, then the variants, one for each term; each beside the reference's colours.
   std::vector<gpu::SwapPlane> planes() const;
 
 private:
   const gpu::ShadedSurface &m_reference, &m_test;
-  std::array<std::vector<glm::vec4>, shading::kTermCount> m_colors;
+  std::vector<std::vector<glm::vec4>> m_colors;
 };
 
 } // namespace parity::job

@@ -105,7 +105,8 @@ TruthComparison compareWithTruth(Context& context, const ViewFrames& frames, con
                                                         measure),
                              std::move(measured.referenceFlip), std::move(measured.testFlip)};
   const bool hasTerms = !reference.frame.terms.empty() && !test.frame.terms.empty();
-  for (std::size_t term = 0; hasTerms && term < shading::kTermCount; ++term) addTerm(comparison, context, tested, term);
+  for (std::size_t term = 0; hasTerms && term < frames.truth.terms.size(); ++term)
+    addTerm(comparison, context, tested, term);
   return comparison;
 }
 

@@ -57,7 +57,7 @@ compare::AttributionInput inputOf(Context& context, const ViewFrames& frames, st
   const PathFrames& path = frames.paths[compared.test];
   const gpu::SwappedPixels &swapped = path.swap[material], &variants = path.termVariants[material];
   compare::AttributionInput input{displaySwap(context, list, swapped, 0, exposureEv, &compared.tested), {}};
-  for (std::size_t t = 0; t < shading::kTermCount; ++t) {
+  for (std::size_t t = 0; t + 1 < variants.planes.size(); ++t) {
     if (areSame(variants.planes[0], variants.planes[1 + t])) continue;
     input.terms.push_back(
         {std::string(shading::kTermNames[t]),

@@ -11,7 +11,7 @@ ViewBuilder::ViewBuilder(const Settings& settings, const std::vector<PathPlan>& 
     : m_paths(plans.size()) {
   const auto makeFrame = [&](bool terms, const std::optional<gpu::TargetCodec>& codec) {
     return gpu::FrameBuilder(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height),
-                             settings.samples, terms, settings.background, codec);
+                             settings.samples, terms ? buffers.termCount() : 0, settings.background, codec);
   };
   const auto makeSwap = [&](std::optional<gpu::SwapBuilder>& swap, std::size_t planes, const glm::vec3& background,
                             const std::optional<gpu::TargetCodec>& codec) {
@@ -38,14 +38,14 @@ ViewBuilder::ViewBuilder(const Settings& settings, const std::vector<PathPlan>& 
     path.frame = makeFrame(settings.terms, target);
     if (compares && truth) makeSwap(path.truthSwap, 1, settings.background, target);
     if (compares && truth && settings.terms)
-      makeSwap(path.truthTermSwap, shading::kTermCount, glm::vec3(0), std::nullopt);
+      makeSwap(path.truthTermSwap, buffers.termCount(), glm::vec3(0), std::nullopt);
     if (i == 0) continue;
     path.beforeTarget = makeFrame(false, std::nullopt);
     if (ofOriginals) path.ofOriginals = makeFrame(false, target);
     makeSwap(path.swap, 1, settings.background, target);
     if (target && target->isDisplayed()) makeSwap(path.swapLight, 1, settings.background, std::nullopt);
     if (settings.terms && settings.attribution != Attribution::none)
-      makeSwap(path.termVariants, TermVariants::kPlanes, settings.background, std::nullopt);
+      makeSwap(path.termVariants, 1 + buffers.termCount(), settings.background, std::nullopt);
   }
   if (truth) {
     m_truth = makeFrame(settings.terms, std::nullopt);
@@ -96,7 +96,7 @@ void ViewBuilder::lay(const gpu::Surface& surface, const std::vector<ShadedByPat
     laySwap(builders.truthSwap, truth->shaded, shaded);
     if (!builders.truthTermSwap) continue;
     std::vector<gpu::SwapPlane> planes;
-    for (std::size_t t = 0; t < shading::kTermCount; ++t) planes.push_back({truth->shaded.terms[t], shaded.terms[t]});
+    for (std::size_t t = 0; t < shaded.terms.size(); ++t) planes.push_back({truth->shaded.terms[t], shaded.terms[t]});
     builders.truthTermSwap->lay(surface, truth->shaded, shaded, planes);
   }
   if (truth) {

@@ -226,7 +226,7 @@ std::vector<report::TermFigures> termFigures(const ViewFrames& frames, std::size
   const base::Frame &first = frames.first().frame, &other = frames.paths[test].frame;
   std::vector<report::TermFigures> result;
   if (first.terms.empty() || other.terms.empty() || list.pixels.empty()) return result;
-  for (std::size_t t = 0; t < shading::kTermCount; ++t)
+  for (std::size_t t = 0; t < first.terms.size(); ++t)
     result.push_back({std::string(shading::kTermNames[t]), compare::meanLuminance(first.terms[t], list),
                       compare::meanLuminance(other.terms[t], list)});
   return result;

@@ -5,6 +5,9 @@
 #include "shading/lightmap.glsl"
 #include "shading/mips.glsl"
 #include "shading/mobile_base_pass.glsl"
+#ifdef PARITY_LOBES
+#include "shading/mobile_lobes.glsl"
+#endif
 #include "shading/rgbm.glsl"
 #include "shading/tinted_sky.glsl"
 #include "shading/sky_sh.glsl"
@@ -20,6 +23,8 @@ layout(constant_id = 14) const uint kView = 0u; // kView... of mobile/shaders/vi
 layout(constant_id = 15) const uint kShadowMaps = 0u; // kShadowOf... bits: which lights have one
 layout(constant_id = 16) const uint kBaked = 0u;      // kBaked... bits
 layout(constant_id = 17) const uint kFalloffs = 0u;   // ways in which local lights fade
+layout(constant_id = 18) const int kCoat = 0;         // kCoat... of shading/mobile_lobes.glsl
+layout(constant_id = 19) const int kSheen = 0;        // kSheen...
 #include "gpu/shaders/baked.glsl"
 #include "gpu/shaders/local_light.glsl"
 #include "gpu/shaders/shadow_map.glsl"
@@ -47,6 +52,9 @@ real3 add(real3 a, real3 b) {
 struct BasePass {
   real3 Color;
   Terms terms; // the same by term, as far as they are written
+#ifdef PARITY_LOBES
+  real3 coat, sheen; // what the layers give by themselves
+#endif
 };
 
 void addTerm(inout BasePass pass, int term, real3 value) {
@@ -151,8 +159,15 @@ void addLight(inout BasePass pass, int diffuseTerm, vec3 color, MobileDirectLigh
   addTerm(pass, diffuseTerm + 1, real3(specular * share));
 }
 
+#ifdef PARITY_LOBES
+#include "mobile/shaders/lobes.glsl"
+#endif
+
 // What the lights read of one pixel.
 struct Shaded {
+#ifdef PARITY_LOBES
+  Layers layers;
+#endif
   MobileMaterial GBuffer;
   MobileFrame frame;
   MobileShadingModelContext context;
@@ -178,6 +193,10 @@ Shaded makeShaded(Point p, Resolved r) {
   s.fullyRough = hasFeature(kFeatureFullyRough, p.material);
   // Nonmetals of a bin of their own: fewer operations, the same colour.
   s.onlyNonmetals = (kMustFeatures & kFeatureNonmetal) != 0u;
+#ifdef PARITY_LOBES
+  bool dimsSpecular = kCoat == kCoatUE4 && showsCoat(); // its Specular changes with the view
+  if (dimsSpecular) s.onlyNonmetals = false;
+#endif
   int environmentBrdf = kIsRefit && s.onlyNonmetals ? kEnvironmentBrdfRefitNonmetal : kEnvironmentBrdf;
   s.sun = kSun == kSunRefit && s.onlyNonmetals ? kSunRefitNonmetal : kSun;
   s.GBuffer = makeMaterial(r);
@@ -188,6 +207,10 @@ Shaded makeShaded(Point p, Resolved r) {
   s.frame = mobileFrame(r.normal, p.V);
   s.NoV = viewCosine(kEnvironmentBrdf, s.frame);
   bool nonmetal = hasFeature(kFeatureNonmetal, p.material);
+#ifdef PARITY_LOBES
+  s.layers = makeLayers(r, s.GBuffer, s.frame, s.NoV, s.fullyRough);
+  if (dimsSpecular && hasFeature(kFeatureCoat, p.material)) nonmetal = false;
+#endif
   s.context = initShadingModelContext(environmentBrdf, nonmetal, s.fullyRough, s.GBuffer, s.NoV);
   if (!kIsRefit || s.fullyRough) return s;
   s.widePart = s.context.lobe.multiple;
@@ -227,6 +250,14 @@ void computeIndirect(inout BasePass pass, inout Shaded s, Point p, uint i) {
   s.IndirectIrradiance *= s.MaterialAO;
   pass.Color = IndirectColor;
   addTerm(pass, kTermLightmap, IndirectColor);
+#ifdef PARITY_LOBES
+  if (isBaked) {
+    real3 light = product(modulate(LightmapColor.xyz, real3(view.indirectColorScale.xyz)), s.MaterialAO);
+    if (showsSheen()) pass.sheen = add(pass.sheen, modulate(light, product(s.layers.sheenColor, s.layers.sheenE)));
+    PRECISE real wideE = s.layers.coatE * s.layers.tap.wide;
+    if (showsCoat() && kCoat == kCoatRefit) pass.coat = add(pass.coat, product(light, wideE));
+  }
+#endif
   show(kViewIndirectColor, IndirectColor);
   if (isBaked && kIsRefit && !s.fullyRough) {
     real3 scattered = modulate(modulate(LightmapColor.xyz, s.widePart), real3(view.indirectColorScale.xyz));
@@ -249,6 +280,9 @@ void addDirectionalLight(inout BasePass pass, Shaded s, Point p, uint i) {
   vec3 DirectionalLightColor = lights[0].colorRange.xyz * 0.318309886183790672 * float(Shadow);
   real SpecularScale = real(lights[0].cone.y);
   MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, L);
+#ifdef PARITY_LOBES
+  addLayersLight(pass, s.layers, s.frame, s.NoV, DirectionalLightColor, L, SpecularScale, Lighting);
+#endif
   real3 lit = lightWith(DirectionalLightColor, Lighting, SpecularScale);
   addLight(pass, kTermSunDiffuse, DirectionalLightColor, Lighting, SpecularScale, lit);
   show(kViewDirectionalLight, lit);
@@ -261,6 +295,33 @@ void addDirectionalLight(inout BasePass pass, Shaded s, Point p, uint i) {
 }
 
 MixingRange mixingOfView() { return MixingRange(view.path[kPathMixing].x, view.path[kPathMixing].y, view.path[kPathMixing].z); }
+
+#ifdef PARITY_LOBES
+// The environment in the coat: a fetch of its own.
+void addLayersReflection(inout BasePass pass, Shaded s) {
+  Layers l = s.layers;
+  vec3 SkyLightColor = view.skyLightColor.xyz;
+  if (showsCoat()) {
+    real3 direction = l.coatFrame.reflection;
+    real mip = mipFromRoughness(l.coatRoughness), wide = R(0.0);
+    if (kCoat == kCoatRefit) {
+      direction = refitDirection(l.coatFrame.N, l.coatFrame.V, l.coatNoV, l.tap.lean);
+      mip = l.tap.mip;
+      wide = l.tap.wide;
+    }
+    real scale = captureScale(kCaptureScale, s.IndirectIrradiance, averageBrightnessOf(s.capture), l.coatRoughness,
+                              s.MaterialAO, mixingOfView());
+    real3 radiance = fetchCapture(vec3(direction), mip, s.capture);
+    PRECISE real narrowE = l.coatE - l.coatE * wide;
+    real3 lit = product(specularIBL(radiance, scale), narrowE);
+    if (kCoat == kCoatRefit) {
+      PRECISE real wideE = l.coatE * wide * s.MaterialAO;
+      lit = add(lit, product(s.SkyDiffuseLighting, wideE));
+    }
+    pass.coat = add(pass.coat, modulate(lit, real3(SkyLightColor)));
+  }
+}
+#endif
 
 // GetImageBasedReflectionLighting: one fetch, none for fully rough materials. SkyLightColor is 1 where the cube is a scene
 // capture, whose texels have it.
@@ -277,6 +338,15 @@ void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
   real3 SkyLightColor = real3(view.skyLightColor.xyz);
   real3 SpecularIBL = modulate(specularIBL(radiance, scale), SkyLightColor);
   real3 lit = modulate(SpecularIBL, s.context.SpecularColor);
+#ifdef PARITY_LOBES
+  addLayersReflection(pass, s);
+  if (showsCoat() && kCoat == kCoatUE4) {
+    PRECISE real under = R(1.0) - s.layers.coatE;
+    lit = product(lit, under);
+    s.narrowPart = product(s.narrowPart, under);
+    s.widePart = product(s.widePart, under);
+  }
+#endif
   if (kSkyAtOnce) {
     s.reflected = product(radiance, s.narrowPart);
     lit = modulate(s.reflected, s.skyInOcclusion);
@@ -305,6 +375,9 @@ void addLocalLights(inout BasePass pass, Shaded s, Point p) {
     if ((kShadowMaps & kShadowOfSpot) != 0u) seen.color *= float(spotShadow(light, p));
     real SpecularScale = real(light.cone.y);
     MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, seen.L);
+#ifdef PARITY_LOBES
+    addLayersLight(pass, s.layers, s.frame, s.NoV, seen.color, seen.L, SpecularScale, Lighting);
+#endif
     real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
     addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);
     sum = add(sum, lit);
@@ -327,6 +400,12 @@ void addSkyLight(inout BasePass pass, Shaded s) {
   } else {
     pass.Color = add(pass.Color, lit);
   }
+#ifdef PARITY_LOBES
+  if (showsSheen()) {
+    PRECISE real albedo = s.layers.sheenE * s.MaterialAO;
+    pass.sheen = add(pass.sheen, modulate(s.DiffuseLookup, product(s.layers.sheenColor, albedo)));
+  }
+#endif
   addTerm(pass, kTermSkyDiffuse, scatters ? modulate(lookup, DiffuseColor) : lit);
   addTerm(pass, kTermSkySpecular, scatters ? modulate(lookup, widePart) : real3(R(0.0)));
   show(kViewSkyLight, lit);
@@ -369,6 +448,9 @@ void main() {
   BasePass pass;
   pass.Color = real3(R(0.0));
   pass.terms = noTerms();
+#ifdef PARITY_LOBES
+  pass.coat = pass.sheen = real3(R(0.0));
+#endif
   if (hasFeature(kFeatureUnlit, p.material)) {
     pass.Color = narrow(r.baseColor);
     addTerm(pass, kTermEmissive, pass.Color);
@@ -387,6 +469,10 @@ void main() {
   if (localCount() != 0u) addLocalLights(pass, s, p);
   if (hasEnvironment()) addSkyLight(pass, s);
   real3 Emissive = narrow(r.emissive);
+#ifdef PARITY_LOBES
+  layOver(pass, s.layers);
+  Emissive = product(Emissive, s.layers.belowCoat);
+#endif
   pass.Color = add(pass.Color, Emissive);
   addTerm(pass, kTermEmissive, Emissive);
   show(kViewEmissive, Emissive);

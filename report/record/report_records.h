@@ -125,6 +125,13 @@ template <> struct Emptiness<std::vector<MaterialCard>> {
   static bool isEmpty(const std::vector<MaterialCard>& list) { return list.empty(); }
 };
 
+template <> inline constexpr auto kRecord<DroppedLobe> = record<DroppedLobe>(
+    "droppedLobe", "",
+    field("lobe", &DroppedLobe::lobe, "", {.oneOf = "clear coat|sheen"}),
+    field("flip", &DroppedLobe::flip,
+          "Mean FLIP of the reference's picture without this lobe of the material against its picture with it",
+          {.finite = true, .least = 0, .most = 1}));
+
 template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResult>(
     "material", "",
     field("name", &MaterialResult::name, "", {.read = true}),
@@ -155,6 +162,9 @@ template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResul
     field("crops", &MaterialResult::crops, "", {.read = true, .mayLack = true}),
     field("truth", &MaterialResult::truth, "", {.read = true, .mayLack = true}),
     field("stages", &MaterialResult::stages),
+    field("droppedLobes", &MaterialResult::droppedLobes,
+          "Lobes of the material that the test path leaves out; absent: none, or not requested (--dropped-lights 0)",
+          {.ifEmpty = IfEmpty::absent}),
     field("whatIf", &MaterialResult::whatIf, "Only with --what-if", {.ifEmpty = IfEmpty::absent}),
     field("attribution", &MaterialResult::attribution));
 

@@ -48,6 +48,8 @@ std::set<std::string> haves(const job::PreparedScene& prepared) {
   for (const scenes::Instance& instance : prepared.scene.instances) {
     const scenes::Material& material = prepared.scene.materials[prepared.scene.meshes[instance.mesh].material];
     if (gpu::classify(material).textures != 0) all.insert("texture");
+    if (material.hasCoat()) all.insert("clear coat");
+    if (material.hasSheen()) all.insert("sheen");
   }
   return all;
 }

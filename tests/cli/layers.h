@@ -2,8 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <string_view>
+#include <vector>
 
 #include "base/image/image.h"
 #include "shading/terms.h"
@@ -18,9 +18,9 @@ inline double sumOf(const base::Image& image, int firstChannel) {
   return sum;
 }
 
-// First channel of a term's layer: the file's layers come back sorted by name.
-inline int channelOf(shading::Term term) {
-  std::array<std::string_view, shading::kTermCount> names = shading::kTermNames;
+// First channel of a term's layer among so many: the file's layers come back sorted by name.
+inline int channelOf(shading::Term term, std::size_t terms = shading::kBaseTermCount) {
+  std::vector<std::string_view> names(shading::kTermNames.begin(), shading::kTermNames.begin() + terms);
   std::sort(names.begin(), names.end());
   const std::string_view name = shading::kTermNames[static_cast<std::size_t>(term)];
   return 3 * (1 + static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin()));

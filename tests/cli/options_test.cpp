@@ -50,6 +50,8 @@ const std::vector<Probe> kProbes = {
     {{"--mobile-preset", "karis2014"}},
     {{"--precision", "fp32"}},
     {{"--sky-sh", "9"}},
+    {{"--mobile-coat", "none"}, "lobes"},
+    {{"--mobile-sheen", "fit"}, "lobes"},
     {{"--capture", "fp16"}},
     {{"--direct-lobe", "d-approx"}, "spheres", "mobile", kSun},
     {{"--no-mobile-local-lights"}, "lamps"},

@@ -89,6 +89,25 @@ TEST_F(MaterialPassTest, TexturesMultiplyTheirFactorsAndTurnTheNormal) {
   EXPECT_NEAR(glm::length(m.normal), 1, 1e-5f);
 }
 
+// A scene without them has none, whatever the memory held before.
+TEST_F(MaterialPassTest, CoatAndSheenComeBackWhereTheSceneHasThem) {
+  scenes::Scene plain = tests::makeQuadScene(), layered = plain;
+  scenes::Material& material = layered.materials[0];
+  material.coat = 0.75f, material.coatRoughness = 0.25f;
+  material.sheenColor = glm::vec3(1, 0.5f, 0.25f), material.sheenRoughness = 0.5f;
+  for (const ResolvedMaterial& m : resolve(layered)) {
+    EXPECT_EQ(m.coat, 0.75f);
+    EXPECT_EQ(m.coatRoughness, 0.25f);
+    EXPECT_EQ(m.coatNormal, m.normal);
+    EXPECT_EQ(m.sheenColor, glm::vec3(1, 0.5f, 0.25f));
+    EXPECT_EQ(m.sheenRoughness, 0.5f);
+  }
+  for (const ResolvedMaterial& m : resolve(plain)) {
+    EXPECT_EQ(m.coat, 0);
+    EXPECT_EQ(m.sheenColor, glm::vec3(0));
+  }
+}
+
 // Shading normals lean, the surface does not; a back face shows its other side.
 TEST_F(MaterialPassTest, GeometricNormalIsTheTrianglesOnTheSideOfTheEye) {
   scenes::Scene scene = tests::makeQuadScene();

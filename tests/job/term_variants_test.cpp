@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "job/view/term_variants.h"
+#include "shading/terms.h"
 
 namespace parity::job {
 namespace {
@@ -39,7 +40,7 @@ TEST(TermVariants, EachHasTheHighEndTermInPlaceOfItsOwn) {
   const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f, 4}), mobile = makeShaded({0.125f, 0.25f, 2});
   const TermVariants variants(surface, highend, mobile);
   const std::vector<gpu::SwapPlane> planes = variants.planes();
-  ASSERT_EQ(planes.size(), TermVariants::kPlanes);
+  ASSERT_EQ(planes.size(), 1 + kTermCount);
   EXPECT_EQ(planes[0].test[0].x, 2.375f) << "mobile as it is";
   EXPECT_EQ(planes[1].test[0].x, 2.75f);
   EXPECT_EQ(planes[2].test[0].x, 2.375f) << "the same term changes nothing, bit by bit";

@@ -77,7 +77,7 @@ protected:
       points[i].place = {kEyeX + kHalfHeight * ((x + 0.5) * 2 / kFogSide - 1),
                          kEyeY - kHalfHeight * ((y + 0.5) * 2 / kFogSide - 1)};
       points[i].shaded.color = glm::vec3(shaded.color[i]);
-      for (std::size_t t = 0; t < shading::kTermCount; ++t) points[i].shaded.terms[t] = glm::vec3(shaded.terms[t][i]);
+      for (std::size_t t = 0; t < shaded.terms.size(); ++t) points[i].shaded.terms[t] = glm::vec3(shaded.terms[t][i]);
     }
     return points;
   }
@@ -160,7 +160,7 @@ TEST_F(FogTest, TakesTheSameShareOfEveryTerm) {
                       with = tests::shadeQuad(device(), foggy, makeRenderer);
     const float t = std::exp(-0.2f * 3);
     glm::vec3 sum(0);
-    for (std::size_t k = 0; k < shading::kTermCount; ++k) {
+    for (std::size_t k = 0; k < shading::kBaseTermCount; ++k) {
       const auto term = static_cast<Term>(k);
       sum += with[term];
       if (term == Term::fog || term == Term::lightmap) continue;

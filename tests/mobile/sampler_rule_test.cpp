@@ -51,6 +51,24 @@ TEST(SamplerRule, CountsAPairOfImageAndSamplerOnce) {
   EXPECT_EQ(countSamplers(m, {}), 5u);
 }
 
+// Of coat and sheen only what the preset reads counts.
+TEST(SamplerRule, TexturesOfLayersCountWhereThePresetReadsThem) {
+  scenes::Material m;
+  m.coat = 1;
+  m.sheenColor = glm::vec3(1);
+  int image = 0;
+  for (scenes::TextureSlot* slot : {&m.coatTexture, &m.coatRoughnessTexture, &m.coatNormalTexture,
+                                    &m.sheenColorTexture, &m.sheenRoughnessTexture})
+    slot->image = image++;
+  EXPECT_EQ(countSamplers(m, {}), 0u);
+  EXPECT_EQ(countSamplers(m, {.coat = true}), 2u) << "the base's normal stands for the coat's";
+  EXPECT_EQ(countSamplers(m, {.coat = true, .coatNormal = true}), 3u);
+  EXPECT_EQ(countSamplers(m, {.sheen = true}), 2u);
+  EXPECT_EQ(countSamplers(m, {.coat = true, .sheen = true, .coatNormal = true}), 5u);
+  m.fullyRough = true;
+  EXPECT_EQ(countSamplers(m, {.coat = true, .sheen = true, .coatNormal = true}), 0u);
+}
+
 TEST(SamplerRule, ANormalMapWithItsSpreadIsAViewOfItsOwn) {
   scenes::Material m = makeFull();
   m.normalTexture.image = m.occlusionTexture.image;

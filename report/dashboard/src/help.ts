@@ -15,6 +15,7 @@ export const kHelp = {
   worstTerm: "The likely cause: the term of light that lowers the FLIP of this material most if it comes from the reference path.",
   attribution: "Mean FLIP if the test path takes only this term from the reference path and keeps all others.",
   droppedLights: "The mobile path shades each object with one sun and at most four local lights. FLIP here compares the reference path's picture without the light with its picture with all lights. It shows the effect of the light, not the error of the test path.",
+  droppedLobes: "The mobile path leaves this part of the material out. FLIP here compares the reference path's picture without it with its picture with it. It shows the effect of the part, not the error of the test path.",
   termLight: "Mean light of this term over the material, for each path, in the units of the scene.",
   budget: "The value and its limits: the first mark is the limit that warns, the second is the limit that fails.",
   baseline: "The change since the earlier report, the baseline of this run.",

@@ -71,7 +71,7 @@ TEST_F(BlendTest, EveryPathComposesLayersByDepth) {
     const base::Image image = base::readImage(file);
     EXPECT_EQ(middleOf(image), expected) << path.back();
     std::array<float, 3> sum{};
-    for (std::size_t t = 0; t < shading::kTermCount; ++t)
+    for (std::size_t t = 0; t < shading::kBaseTermCount; ++t)
       for (int c = 0; c < 3; ++c) sum[c] += middleOf(image, channelOf(static_cast<shading::Term>(t)))[c];
     EXPECT_EQ(sum, expected) << path.back() << ": terms are after the layers' weights";
   }

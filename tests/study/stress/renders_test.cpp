@@ -95,5 +95,20 @@ TEST_F(StressRenders, RandomScenesKnowTheLeastRoughnessOfEachMaterial) {
   EXPECT_GT(textured, 3);
 }
 
+TEST_F(StressRenders, RandomScenesHaveCoatsAndSheensWithTextures) {
+  std::size_t coats = 0, sheens = 0, textures = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed)
+    for (const scenes::Material& m : randomScene(seed).scene.materials) {
+      coats += m.hasCoat();
+      sheens += m.hasSheen();
+      const bool isRead = m.coatTexture.present() || m.coatNormalTexture.present() || m.sheenColorTexture.present();
+      textures += isRead;
+      EXPECT_TRUE(!isRead || m.hasCoat() || m.hasSheen()) << "as the loader leaves it";
+    }
+  EXPECT_GT(coats, 10u);
+  EXPECT_GT(sheens, 10u);
+  EXPECT_GT(textures, 3u);
+}
+
 } // namespace
 } // namespace parity::tests

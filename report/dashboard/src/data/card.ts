@@ -12,9 +12,14 @@ const kTitles: Record<CardInput["name"], string> = {
   emissive: "Emissive",
   specular: "Specular",
   specularColor: "Specular colour",
+  coat: "Clear coat",
+  coatRoughness: "Clear coat roughness",
+  coatNormal: "Clear coat normal",
+  sheenColor: "Sheen colour",
+  sheenRoughness: "Sheen roughness",
 };
 const kDefaultF0 = 0.04;
-const kColors: readonly CardInput["name"][] = ["baseColor", "emissive", "specularColor"];
+const kColors: readonly CardInput["name"][] = ["baseColor", "emissive", "specularColor", "sheenColor"];
 
 /** The card of a material, by its name. */
 export function cardOf(scene: Scene, name: string): MaterialCard | null {
@@ -76,7 +81,7 @@ function rangeWords(input: CardInput, texture: CardTexture): string[] {
 
 /** What the factor of a texture adds; "" where it changes nothing. */
 function factorWords(input: CardInput): string {
-  if (input.name === "normal") return `scale ${short(input.value[0] ?? 0)}`;
+  if (input.name === "normal" || input.name === "coatNormal") return `scale ${short(input.value[0] ?? 0)}`;
   if (isWhite(input.value)) return "";
   if (input.name === "occlusion") return `strength ${short(input.value[0] ?? 0)}`;
   return `texture × ${input.value.length === 3 ? `(${input.value.map(short).join(", ")})` : short(input.value[0] ?? 0)}`;

@@ -14,6 +14,8 @@ export const kTermWords: Readonly<Record<string, string>> = {
   skySpecular: "reflections of the environment",
   emissive: "emitted light",
   fog: "light of the fog",
+  coatSpecular: "reflections and highlights of the clear coat",
+  sheen: "light of the sheen",
 };
 
 /** Visible difference of two shading paths, per material. Equal inputs give a byte-identical file; times and dates are in run.json. null in place of a number means infinite (psnr of identical images) or not a number (then the verdict is 'error'). */
@@ -154,7 +156,7 @@ export interface MaterialCard {
 }
 
 export interface CardInput {
-  name: "baseColor" | "opacity" | "metallic" | "roughness" | "normal" | "occlusion" | "emissive" | "specular" | "specularColor";
+  name: "baseColor" | "opacity" | "metallic" | "roughness" | "normal" | "occlusion" | "emissive" | "specular" | "specularColor" | "coat" | "coatRoughness" | "coatNormal" | "sheenColor" | "sheenRoughness";
   value: number[]; // Linear colour or number; the factor if there is a texture
   texture?: CardTexture; // absent: none
 }
@@ -336,6 +338,7 @@ export interface Material {
   crops: Images;
   truth?: Truth;
   stages: Stage[];
+  droppedLobes?: DroppedLobe[]; // Lobes of the material that the test path leaves out; absent: none, or not requested (--dropped-lights 0)
   whatIf?: WhatIf[]; // Only with --what-if
   attribution?: Attribution;
 }
@@ -352,6 +355,11 @@ export interface Images {
   reference: string;
   test: string;
   flip: string;
+}
+
+export interface DroppedLobe {
+  lobe: "clear coat" | "sheen";
+  flip: number; // Mean FLIP of the reference's picture without this lobe of the material against its picture with it
 }
 
 /** What the figures and the verdict of a material would be with another preset of the test path */

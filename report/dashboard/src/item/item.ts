@@ -4,7 +4,7 @@ import { customElement, property, query } from "lit/decorators.js";
 
 import type { Page } from "../data/page";
 import { clippingText } from "../data/clipping";
-import { pathWord } from "../data/paths";
+import { pathTitle, pathWord } from "../data/paths";
 import { rowTrendOf } from "../data/row_trend";
 import type { Row } from "../data/rows";
 import type { SceneDetails } from "../data/scenes";
@@ -192,6 +192,7 @@ export class ParityItem extends PageElement {
       ${clipped === "" ? nothing : html`<span class="caution">Clipped in both pictures: <b>${clipped}</b>${help("clipping")}</span>`}
       ${row.notModelled.length === 0 ? nothing : html`<span class="caution">No path models these parts: <b><bdi>${row.notModelled.join(", ")}</bdi></b>${help("baseLayer")}</span>`}
       ${this.renderDropped(view)}
+      ${this.renderDroppedLobes(view)}
     </p>`;
   }
 
@@ -204,6 +205,15 @@ export class ParityItem extends PageElement {
     if (row.kind !== "material") return html`<span>${describeDropped(dropped, row.test)}${help("droppedLights")}</span>`;
     const first = lightsOf(dropped, row.name)[0];
     return first ? html`<span>Dropped light: <b><bdi>${first.light.name}</bdi></b>, FLIP ${flip(first.flip)} without it${help("droppedLights")}</span>` : nothing;
+  }
+
+  /** What the test path leaves out of the material, and what that is worth. */
+  private renderDroppedLobes(view: View): TemplateResult | typeof nothing {
+    const { row } = this;
+    const lobes = (row.kind === "material" ? view.materials[row.material]?.droppedLobes : undefined) ?? [];
+    if (lobes.length === 0) return nothing;
+    const flip = (value: number): string => figure(value, this.page.report.statistics["flip.mean"]);
+    return html`<span>${pathTitle(view.test)} drops ${lobes.map(({ lobe, flip: without }, i) => html`${i > 0 ? " and " : ""}the <b>${lobe}</b>, FLIP ${flip(without)} without it`)}${help("droppedLobes")}</span>`;
   }
 
   private renderTerms(scene: Scene): TemplateResult {

@@ -28,6 +28,8 @@ describe("a material's card", () => {
     expect(inputLines(input("baseColor", [1, 0.2158605, 0]))).toEqual(["#ff8000", "linear 1, 0.216, 0"]);
     expect(inputLines(input("emissive", [0, 2.5, 5]))).toEqual(["0, 2.5, 5 (linear)"]);
     expect(titleOf(input("specularColor", [1, 1, 1]))).toBe("Specular colour");
+    expect(inputLines(input("sheenColor", [1, 0.2158605, 0]))).toEqual(["#ff8000", "linear 1, 0.216, 0"]);
+    expect(titleOf(input("coatRoughness", [0.5]))).toBe("Clear coat roughness");
   });
 
   it("says the range of a texture, and its factor only where it is not 1", () => {
@@ -36,6 +38,7 @@ describe("a material's card", () => {
     expect(inputLines(input("metallic", [1], { least: [1], most: [1], mean: [1] }))).toEqual(["1 everywhere"]);
     expect(inputLines(input("occlusion", [0.5], {})).at(-1)).toBe("strength 0.5");
     expect(inputLines(input("normal", [2], { least: [], most: [], mean: [] }))).toEqual(["scale 2"]);
+    expect(inputLines(input("coatNormal", [1], { least: [], most: [], mean: [] }))).toEqual(["scale 1"]);
     const color = input("baseColor", [1, 1, 1], { channels: "rgb", least: [0, 0, 0], most: [1, 0.2158605, 1], mean: [1, 0, 0] });
     expect(inputLines(color)).toEqual(["mean #ff0000", "sRGB R 0–255, G 0–128, B 0–255"]);
     const grey = input("baseColor", [1, 1, 0.5], { channels: "rgb", least: [1, 1, 0.5], most: [1, 1, 0.5], mean: [1, 1, 0.5] });

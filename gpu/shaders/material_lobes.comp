@@ -1,0 +1,5 @@
+// Materials of scenes with coat or sheen.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define PARITY_LOBES
+#include "gpu/shaders/material.glsl"

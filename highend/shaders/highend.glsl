@@ -1,0 +1,242 @@
+// The high-end path: full GGX for every light, environment by prefiltered cube, tabulated environment BRDF and
+// irradiance cube.
+//
+// Colour = diffuse + specular; the diffuse lobe gets what the specular one leaves (kDiffuse).
+#include "gpu/shaders/path.glsl"
+#include "gpu/shaders/fog.glsl"
+#include "highend/shaders/sky.glsl"
+#include "highend/shaders/views.h"
+#include "shading/brdf.glsl"
+#include "shading/lamps.glsl"
+#include "shading/off_specular.glsl"
+
+// Values: kGeometry... and so on of interface.h.
+layout(constant_id = 8) const uint kGeometryTerm = 0u;
+layout(constant_id = 9) const uint kFresnel = 0u;
+layout(constant_id = 10) const uint kDiffuse = 0u;
+layout(constant_id = 11) const uint kCompensation = 0u;
+layout(constant_id = 12) const uint kOffSpecular = 0u;
+layout(constant_id = 13) const uint kLocalKinds = 0u; // kLocal... bits
+layout(constant_id = 14) const uint kShadows = 0u; // shadow.glsl
+layout(constant_id = 15) const uint kBaked = 0u; // kBaked... bits
+layout(constant_id = 16) const uint kFalloffs = 0u; // ways in which local lights fade
+layout(constant_id = 17) const uint kView = 0u;     // kView... of highend/shaders/views.h
+layout(constant_id = 18) const uint kPanorama = 0u; // the panorama is there, and fine levels go with it
+layout(constant_id = 19) const uint kLamps = 0u;    // the environment has lamps
+#include "gpu/shaders/local_light.glsl"
+#include "gpu/shaders/shadow.glsl"
+#include "highend/shaders/baked.glsl"
+
+// Of analytic lights only: alpha = 2.4e-4 keeps the peak of D (5e6) far from overflow. The image light has no floor.
+const float kMinLightRoughness = 0.015625;
+// Grazing and back-facing shading normals: the lobe of the last visible direction.
+const float kMinNoV = 1e-4;
+
+vec3 shown = vec3(0.0);
+void show(uint view, vec3 value) {
+  if (kView == view) shown = value;
+}
+
+struct Lobes {
+  vec3 diffuse, specular;
+};
+
+struct Shader {
+  vec3 N, V, diffuseColor, F0;
+  float F90, NoV, roughness, alpha; // alpha: of analytic lights
+  vec3 single;   // directional albedo of light scattered once, with Turquin's factor where that is chosen
+  vec3 factor;   // that factor
+  vec3 multiple; // directional albedo of what scatters more often, where it has a lobe of its own
+  float Eavg;
+  CaptureBlend captures; // where there are any
+};
+
+bool hasOwnLobe() { return kCompensation == kCompensationFdezAguera || kCompensation == kCompensationKullaConty; }
+
+// A, B and the average of A + B at this roughness.
+vec3 environmentBrdf(float cosine, float roughness) {
+  vec2 size = vec2(textureSize(pathTexture, 0));
+  return textureLod(pathTexture, (vec2(cosine, roughness) * (size - 1.0) + 0.5) / size, 0.0).xyz;
+}
+
+float fresnelWeight(float VoH) {
+  if (kFresnel == kFresnelSphericalGaussian) return sphericalGaussianWeight(VoH);
+  if (kFresnel == kFresnelDielectric) return dielectricWeight(VoH);
+  return schlickWeight(VoH);
+}
+
+float fresnelMean() {
+  if (kFresnel == kFresnelSphericalGaussian) return sphericalGaussianMean();
+  if (kFresnel == kFresnelDielectric) return dielectricMean();
+  return schlickMean();
+}
+
+Shader makeShader(Point p, Resolved m) {
+  Shader s;
+  s.N = m.normal;
+  s.V = p.V;
+  s.NoV = clamp(dot(s.N, s.V), kMinNoV, 1.0);
+  s.roughness = m.roughness;
+  s.alpha = sqr(max(m.roughness, kMinLightRoughness));
+  s.diffuseColor = diffuseColor(m.baseColor, m.metallic);
+  s.F0 = specularColor(m.F0, m.baseColor, m.metallic);
+  s.F90 = mix(m.F90, 1.0, m.metallic);
+  s.factor = vec3(1.0);
+  s.multiple = s.single = vec3(0.0);
+  s.Eavg = 1.0;
+  if (!hasEnvironment() && kCompensation == kCompensationNone && kDiffuse == kDiffuseLambert && kView == kViewLit) return s;
+
+  vec3 ABavg = environmentBrdf(s.NoV, s.roughness);
+  vec2 AB = ABavg.xy;
+  s.Eavg = ABavg.z;
+  if (kCompensation == kCompensationTurquin) s.factor = energyCompensation(s.F0, AB);
+  s.single = (s.F0 * AB.x + s.F90 * AB.y) * s.factor;
+  if (hasOwnLobe()) {
+    vec3 Favg = mixFresnel(s.F0, s.F90, fresnelMean());
+    s.multiple = kCompensation == kCompensationFdezAguera ? fdezAgueraAlbedo(s.F0, s.F90, Favg, AB)
+                                                          : kullaContyAlbedo(Favg, AB.x + AB.y, s.Eavg);
+  }
+  vec3 once = s.F0 * AB.x + s.F90 * AB.y;
+  show(kViewEnvBrdfA, vec3(AB.x));
+  show(kViewEnvBrdfB, vec3(AB.y));
+  show(kViewEnvBrdf, once);
+  show(kViewEnvBrdfMultiple, s.single - once + s.multiple);
+  if (kDiffuse == kDiffuseBalanced) s.diffuseColor *= albedoScaling(s.single + s.multiple);
+  return s;
+}
+
+// Light scattered once, per illuminance of a surface that faces it. NoL > 0.
+vec3 scatteredOnce(Shader s, float alpha, float NoL, float NoH, float VoH) {
+  float V = kGeometryTerm == kGeometryHeightCorrelated ? V_SmithGGXCorrelated(alpha, s.NoV, NoL) : V_SchlickSmith(alpha, s.NoV, NoL);
+  return (NoL * D_GGX(alpha, NoH) * V) * mixFresnel(s.F0, s.F90, fresnelWeight(VoH)) * s.factor;
+}
+
+// Reflected radiance for an illuminance (on a surface facing the light) from direction L.
+Lobes lit(Shader s, vec3 L, vec3 illuminance) {
+  Lobes lobes = Lobes(vec3(0.0), vec3(0.0));
+  float NoL = saturate(dot(s.N, L));
+  if (NoL <= 0.0) return lobes;
+  vec3 H = safeNormalize(s.V + L, s.N); // V = -L: the normal
+  float NoH = saturate(dot(s.N, H)), VoH = saturate(dot(s.V, H));
+  vec3 E = illuminance * NoL;
+  lobes.diffuse = E * s.diffuseColor * Fd_Lambert();
+  lobes.specular = illuminance * scatteredOnce(s, s.alpha, NoL, NoH, VoH);
+  if (kCompensation == kCompensationFdezAguera) lobes.specular += E * s.multiple * Fd_Lambert();
+  if (kCompensation == kCompensationKullaConty) {
+    vec2 AB = environmentBrdf(NoL, s.roughness).xy;
+    lobes.specular += E * s.multiple * kullaContyLobe(AB.x + AB.y, s.Eavg);
+  }
+  return lobes;
+}
+
+// Direction to a point or spot light, and its illuminance at the point (scenes::Falloff, KHR_lights_punctual's cone).
+vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
+  vec3 d = light.positionKind.xyz - position;
+  float d2 = dot(d, d);
+  L = safeNormalize(d, -light.directionCosOuter.xyz); // at the light itself: as if from its axis
+  float attenuation = distanceFalloff(falloffOf(light), d2, light.colorRange.w, light.falloff.y);
+  bool isSpot = kLocalKinds == kLocalSpot || (kLocalKinds == kLocalAll && uint(light.positionKind.w) == kLightSpot);
+  if (isSpot) attenuation *= spotAttenuation(dot(-L, light.directionCosOuter.xyz), light.cone.x, light.directionCosOuter.w);
+  return light.colorRange.xyz * attenuation;
+}
+
+#include "highend/shaders/reflection.glsl"
+
+// Captures are normalised: they follow the lightmap by the engine's mixing weight; those without a brightness do not.
+float captureScaleAt(Shader s, vec3 irradianceOverPi, float roughness) {
+  if ((kBaked & kBakedCaptures) == 0u || !(s.captures.averageBrightness > 0.0)) return 1.0;
+  return captureScale(kCaptureScaleMixing, luminanceUE4(irradianceOverPi), s.captures.averageBrightness, roughness, 1.0,
+                      mixingRange(kMixingBegin, kMixingEnd, kMixingLargest));
+}
+
+#ifdef PARITY_LOBES
+#include "highend/shaders/lobes.glsl"
+#endif
+
+// Evaluated at the pixel.
+Terms inFog(Terms terms, Point p) {
+  if (!hasVertexData(kVertexFog)) return terms;
+  return seenThrough(fogAt(p.position), terms);
+}
+
+void main() {
+  uint local = entryIndex();
+  if (local >= count) return;
+  uint i = first + local;
+  Point p = makePoint(i);
+  Resolved m = resolveMaterial(p, i);
+  Terms terms = noTerms();
+  if (hasFeature(kFeatureUnlit, p.material)) {
+    terms.t[kTermEmissive] = m.baseColor;
+    writeResult(i, inFog(terms, p), m.opacity);
+    if (kView != kViewLit) outColor[i] = vec4(0.0, 0.0, 0.0, m.opacity);
+    return;
+  }
+
+  Shader s = makeShader(p, m);
+#ifdef PARITY_LOBES
+  Layers layers = makeLayers(s, m);
+#endif
+  for (uint k = 0u; k < directionalCount(); ++k) {
+    vec3 L = -lights[k].directionCosOuter.xyz, illuminance = lights[k].colorRange.xyz;
+    if (kShadows != 0u) illuminance *= visibilityOf(lights[k], p.position, p.geometric, L);
+    if (k == 0u) illuminance *= readSunShadow(i);
+    Lobes lobes = lit(s, L, illuminance);
+    terms.t[kTermSunDiffuse] += lobes.diffuse;
+    terms.t[kTermSunSpecular] += lobes.specular * lights[k].cone.y;
+#ifdef PARITY_LOBES
+    addLayersLight(terms, layers, s, L, illuminance * lights[k].cone.y);
+#endif
+  }
+  // Those that reach everything, then those in the list of this group of entries (highend/light_culling.h); or all. In
+  // the same order, so that the sums are the same to the last bit.
+  bool isListed = kLocalCount == kListed || (kLocalCount == kUnknown && pathData[0] != 0u);
+  uint group = firstGroup + groupInBin();
+  uint everywhere = kLocalCount == kListed ? sceneCounts.y : localCount();
+  uint begin = isListed ? pathData[1u + group] : 0u;
+  uint listed = isListed ? pathData[2u + group] - begin : 0u;
+  for (uint n = 0u; n < everywhere + listed; ++n) {
+    uint k = directionalCount() + n;
+    if (isListed && n >= everywhere) k = pathData[begin + n - everywhere];
+    GpuLight light = lights[k];
+    vec3 L;
+    vec3 illuminance = localLight(light, p.position, L);
+    if (illuminance == vec3(0.0)) continue;
+    if (kShadows != 0u) illuminance *= visibilityOf(light, p.position, p.geometric, L);
+    Lobes lobes = lit(s, L, illuminance);
+    terms.t[kTermLocalDiffuse] += lobes.diffuse;
+    terms.t[kTermLocalSpecular] += lobes.specular * light.cone.y;
+#ifdef PARITY_LOBES
+    addLayersLight(terms, layers, s, L, illuminance * light.cone.y);
+#endif
+  }
+  if (hasEnvironment()) {
+    if ((kBaked & kBakedCaptures) != 0u) s.captures = captureBlendAt(p.position);
+#ifdef PARITY_LOBES
+    addLayersReflection(layers, s, view.skyLightColor.xyz * m.occlusion);
+#endif
+    vec3 irradianceOverPi = hasLightmap(i) ? vec3(0.0) : skyIrradianceOverPi(s.N); // the sky is in the lightmap
+    vec3 scale = view.skyLightColor.xyz * m.occlusion;
+    terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * scale;
+    vec3 reflected = reflectedLight(s);
+    show(kViewSpecularIBL, reflected / max(s.single, vec3(1e-6)) * scale);
+    terms.t[kTermSkySpecular] = (reflected + irradianceOverPi * s.multiple) * scale;
+  }
+  if (hasLightmap(i)) {
+    vec3 irradianceOverPi = lightmapIrradianceOverPi(i, p, s.N);
+    terms.t[kTermSkySpecular] *= captureScaleAt(s, irradianceOverPi, s.roughness);
+#ifdef PARITY_LOBES
+    scaleLayersReflection(layers, s, irradianceOverPi);
+#endif
+    vec3 scale = view.indirectColorScale.xyz * m.occlusion;
+    terms.t[kTermLightmap] = irradianceOverPi * s.diffuseColor * scale;
+    // What scatters more than once is specular, and takes its light from where the diffuse lobe does.
+    terms.t[kTermSkySpecular] += irradianceOverPi * s.multiple * scale;
+  }
+  terms.t[kTermEmissive] = m.emissive;
+#ifdef PARITY_LOBES
+  layOver(terms, layers);
+#endif
+  writeResult(i, inFog(terms, p), m.opacity);
+  if (kView != kViewLit) outColor[i] = vec4(shown, m.opacity);
+}
