@@ -57,8 +57,8 @@ TEST(SamplerRule, TexturesOfLayersCountWhereThePresetReadsThem) {
   m.coat = 1;
   m.sheenColor = glm::vec3(1);
   int image = 0;
-  for (scenes::TextureSlot* slot : {&m.coatTexture, &m.coatRoughnessTexture, &m.coatNormalTexture,
-                                    &m.sheenColorTexture, &m.sheenRoughnessTexture})
+  for (scenes::TextureSlot* slot :
+       {&m.coatTexture, &m.coatRoughnessTexture, &m.coatNormalTexture, &m.sheenColorTexture, &m.sheenRoughnessTexture})
     slot->image = image++;
   EXPECT_EQ(countSamplers(m, {}), 0u);
   EXPECT_EQ(countSamplers(m, {.coat = true}), 2u) << "the base's normal stands for the coat's";
