@@ -88,6 +88,26 @@ void addLayersLight(inout BasePass pass, Layers l, MobileFrame frame, real NoV, 
   }
 }
 
+// The environment in the coat: a fetch of its own, and of refit the lobe's wide part of the sky's diffuse light.
+void addCoatReflection(inout BasePass pass, Layers l, real3 SkyDiffuseLighting, real IndirectIrradiance, real MaterialAO,
+                       uint capture) {
+  if (!showsCoat()) return;
+  real scale = captureScale(kCaptureScale, IndirectIrradiance, averageBrightnessOf(capture), l.coatRoughness, MaterialAO,
+                            mixingOfView());
+  real3 direction = l.coatFrame.reflection, lit = real3(R(0.0));
+  real mip = mipFromRoughness(l.coatRoughness), narrowE = l.coatE;
+  if (kCoat == kCoatRefit) {
+    direction = refitDirection(l.coatFrame.N, l.coatFrame.V, l.coatNoV, l.tap.lean);
+    mip = l.tap.mip;
+    PRECISE real wideE = l.coatE * l.tap.wide;
+    PRECISE real rest = l.coatE - wideE;
+    narrowE = rest;
+    lit = product(SkyDiffuseLighting, wideE * MaterialAO);
+  }
+  lit = add(lit, product(specularIBL(fetchCapture(vec3(direction), mip, capture), scale), narrowE));
+  pass.coat = add(pass.coat, modulate(lit, real3(view.skyLightColor.xyz)));
+}
+
 // Finite, unless it is NaN: 0 times infinite would be NaN.
 real3 finite(real3 color) { return narrow(widen(color)); }
 

@@ -133,6 +133,8 @@ float averageBrightnessOf(uint capture) {
   return captures[capture].boxLower.w;
 }
 
+MixingRange mixingOfView() { return MixingRange(view.path[kPathMixing].x, view.path[kPathMixing].y, view.path[kPathMixing].z); }
+
 // One fetch of the capture, trilinear, from one lobe to one three times as wide.
 real3 fetchCapture(vec3 direction, real mip, uint capture) {
   vec4 texel = textureLod(prefilteredEnvironment, vec4(direction, float(capture)), float(mip));
@@ -294,35 +296,6 @@ void addDirectionalLight(inout BasePass pass, Shaded s, Point p, uint i) {
   show(kViewNoH, max(dot3(N, halfVector(N, s.frame.V, L)), R(0.0)));
 }
 
-MixingRange mixingOfView() { return MixingRange(view.path[kPathMixing].x, view.path[kPathMixing].y, view.path[kPathMixing].z); }
-
-#ifdef PARITY_LOBES
-// The environment in the coat: a fetch of its own.
-void addLayersReflection(inout BasePass pass, Shaded s) {
-  Layers l = s.layers;
-  vec3 SkyLightColor = view.skyLightColor.xyz;
-  if (showsCoat()) {
-    real3 direction = l.coatFrame.reflection;
-    real mip = mipFromRoughness(l.coatRoughness), wide = R(0.0);
-    if (kCoat == kCoatRefit) {
-      direction = refitDirection(l.coatFrame.N, l.coatFrame.V, l.coatNoV, l.tap.lean);
-      mip = l.tap.mip;
-      wide = l.tap.wide;
-    }
-    real scale = captureScale(kCaptureScale, s.IndirectIrradiance, averageBrightnessOf(s.capture), l.coatRoughness,
-                              s.MaterialAO, mixingOfView());
-    real3 radiance = fetchCapture(vec3(direction), mip, s.capture);
-    PRECISE real narrowE = l.coatE - l.coatE * wide;
-    real3 lit = product(specularIBL(radiance, scale), narrowE);
-    if (kCoat == kCoatRefit) {
-      PRECISE real wideE = l.coatE * wide * s.MaterialAO;
-      lit = add(lit, product(s.SkyDiffuseLighting, wideE));
-    }
-    pass.coat = add(pass.coat, modulate(lit, real3(SkyLightColor)));
-  }
-}
-#endif
-
 // GetImageBasedReflectionLighting: one fetch, none for fully rough materials. SkyLightColor is 1 where the cube is a scene
 // capture, whose texels have it.
 void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
@@ -339,7 +312,7 @@ void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
   real3 SpecularIBL = modulate(specularIBL(radiance, scale), SkyLightColor);
   real3 lit = modulate(SpecularIBL, s.context.SpecularColor);
 #ifdef PARITY_LOBES
-  addLayersReflection(pass, s);
+  addCoatReflection(pass, s.layers, s.SkyDiffuseLighting, s.IndirectIrradiance, s.MaterialAO, s.capture);
   if (showsCoat() && kCoat == kCoatUE4) {
     PRECISE real under = R(1.0) - s.layers.coatE;
     lit = product(lit, under);

@@ -118,6 +118,17 @@ TEST(Permutations, AreSaidInWords) {
   EXPECT_EQ(describeFeatures({0, 0, 0}), "none");
   EXPECT_EQ(describeFeatures({0, kFeatureNonmetal | kFeatureBlend, kFeatureBlend}), "some nonmetal, blended");
   EXPECT_EQ(describeFeatures({0, kFeatureUnlit, kFeatureUnlit}), "unlit");
+  EXPECT_EQ(describeTextures(kCoatTextures), "coat, coat roughness, coat normal");
+  EXPECT_EQ(describeTextures(kSheenTextures), "sheen colour, sheen roughness");
+  EXPECT_EQ(describeFeatures({0, kFeatureCoat | kFeatureSheen, kFeatureSheen}), "some coat, sheen");
+}
+
+// Of scenes without coat and sheen the shader knows neither.
+TEST(Permutations, OfEverySceneHaveLayersWhereTheirTexturesAreAmongItsOwn) {
+  const std::uint32_t base = (1u << kSlotCount) - 1 - kLobeTextures;
+  EXPECT_EQ(everyScenePermutation(base).mayFeatures & (kFeatureCoat | kFeatureSheen), 0u);
+  EXPECT_EQ(everyScenePermutation(base | kLobeTextures).mayFeatures & (kFeatureCoat | kFeatureSheen),
+            kFeatureCoat | kFeatureSheen);
 }
 
 } // namespace

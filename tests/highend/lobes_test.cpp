@@ -30,16 +30,6 @@ scenes::Scene makeLayered(float angle, float coat, float coatRoughness, const gl
   return scene;
 }
 
-struct Cosines {
-  double NoV, NoL, NoH, VoH;
-  // V = +Z; the normal leans by the angle towards +X.
-  Cosines(float angle, const glm::dvec3& towards) {
-    const glm::dvec3 N(std::sin(angle), 0, std::cos(angle)), V(0, 0, 1), L = glm::normalize(towards),
-                                                                         H = glm::normalize(V + L);
-    NoV = glm::dot(N, V), NoL = glm::dot(N, L), NoH = glm::dot(N, H), VoH = glm::dot(V, H);
-  }
-};
-
 // Points that share out an even sky of radiance 1: latitudes and longitudes.
 gpu::EnvironmentMaps makeEvenSky(const gpu::Device& device) {
   gpu::EnvironmentMaps maps = tests::makeConstantEnvironment(device, 1);
@@ -66,7 +56,7 @@ TEST_F(HighendTest, TheSunOnTheCoatIsItsOwnLobe) {
   for (const float roughness : {0.f, 0.2f, 0.7f}) {
     const ShadedPoint layered = shade(makeLayered(0.5f, 0.8f, roughness, glm::vec3(0), 0), inputs, kPlain);
     const ShadedPoint base = shade(makeLayered(0.5f, 0, 0, glm::vec3(0), 0), inputs, kPlain);
-    const Cosines c(0.5f, towards);
+    const tests::QuadCosines c(0.5f, towards);
     const double alpha = std::pow(std::max<double>(roughness, 0.015625), 2);
     const double F = 0.04 + 0.96 * std::pow(1 - c.VoH, 5);
     const double lobe = F * f64::D_GGX(alpha, c.NoH) * f64::V_SmithGGXCorrelated(alpha, c.NoV, c.NoL) * c.NoL;
@@ -87,7 +77,7 @@ TEST_F(HighendTest, TheSunOnTheSheenIsCharliesLobe) {
   for (const float roughness : {0.f, 0.3f, 1.f}) {
     const ShadedPoint layered = shade(makeLayered(0.5f, 0.5f, 0.3f, color, roughness), inputs, kPlain);
     const ShadedPoint base = shade(makeLayered(0.5f, 0, 0, glm::vec3(0), 0), inputs, kPlain);
-    const Cosines c(0.5f, towards);
+    const tests::QuadCosines c(0.5f, towards);
     const double alpha = f64::sheenAlpha(roughness);
     const double lobe = f64::D_Charlie(alpha, c.NoH) * f64::V_Charlie(alpha, c.NoV, c.NoL) * c.NoL;
     const float belowCoat = 1 - 0.5f * (0.04f * 0.7f + 0.05f), belowSheen = 1 - 0.9f * 0.4f;

@@ -40,22 +40,13 @@ scenes::Scene makeLayered(float angle, float coat, const glm::vec3& sheen) {
   return scene;
 }
 
-struct Cosines {
-  double NoV, NoL, NoH, VoH;
-  Cosines(float angle, const glm::dvec3& towards) {
-    const glm::dvec3 N(std::sin(angle), 0, std::cos(angle)), V(0, 0, 1), L = glm::normalize(towards),
-                                                                         H = glm::normalize(V + L);
-    NoV = glm::dot(N, V), NoL = glm::dot(N, L), NoH = glm::dot(N, H), VoH = glm::dot(V, H);
-  }
-};
-
 const glm::vec3 kTowards(0.5f, 0.2f, 1);
 
 TEST_F(MobileLobesTest, TheSunOnUE4sCoatIsItsFormula) {
   const glm::vec3 sun(2, 1, 0.5f);
   const Inputs inputs{.lights = {makeDirectional(kTowards, sun)}};
   const ShadedPoint point = shade(makeLayered(0.6f, 0.7f, glm::vec3(0)), inputs, tests::inFp32("ue4-2020"));
-  const Cosines c(0.6f, kTowards);
+  const tests::QuadCosines c(0.6f, kTowards);
   const double F = 0.7 * f64::coatFresnel(c.VoH), lit = f64::coatLightUE4(F, 0.3, c.NoV, c.NoL, c.NoH) / pi;
   expectNear(point[Term::coatSpecular], glm::vec3(lit * glm::dvec3(sun)), 1e-3f, "coat");
   EXPECT_EQ(point[Term::sheen], glm::vec3(0));
@@ -79,7 +70,7 @@ TEST_F(MobileLobesTest, SkyAndSunOnTheSheenAreItsFit) {
   const Inputs skyAlone{.environment = &sky}, sunAlone{.lights = {makeDirectional(kTowards, sun)}};
   const Options options = tests::inFp32("refit");
   const double E = f64::sheenAlbedoFit(0.5, std::cos(0.6));
-  const Cosines c(0.6f, kTowards);
+  const tests::QuadCosines c(0.6f, kTowards);
   const ShadedPoint bySky = shade(makeLayered(0.6f, 0, color), skyAlone, options),
                     bySun = shade(makeLayered(0.6f, 0, color), sunAlone, options);
   expectNear(bySky[Term::sheen], static_cast<float>(E) * color, 1e-3f, "sky");

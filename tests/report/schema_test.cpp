@@ -100,9 +100,9 @@ void expectEachKeyMatters(const json& schema, const json& document, const json::
       const bool optional = (key == "truth" && child.contains("images")) || // not the luminance, not the image
                             key == "cost" || key == "light" ||
                             (key == "words" && name.find("/whatIf/") == std::string::npos) || key == "attribution" ||
-                            key == "droppedLights" || name == "/statistics" || key == "whatIf" || key == "texture" ||
-                            key == "alphaCutoff" || key == "notWhole" || name + "/" + key == "/scenes/0/materials" ||
-                            name + "/" + key == "/scenes/0/inputs";
+                            key == "droppedLights" || key == "droppedLobes" || name == "/statistics" ||
+                            key == "whatIf" || key == "texture" || key == "alphaCutoff" || key == "notWhole" ||
+                            name + "/" + key == "/scenes/0/materials" || name + "/" + key == "/scenes/0/inputs";
       EXPECT_EQ(validate(schema, less).empty(), optional) << where.to_string() << "/" << key;
       json other = document;
       other.at(where)[key] = json::array({"wrong"});
@@ -132,6 +132,7 @@ TEST(Schema, EachKeyIsRequiredTypedAndNoOtherIsAllowed) {
   report.scenes[0].views[0].stages = {{kTexturesStage, "etc2", makeFigures(0.01, 9000)}};
   report.scenes[0].views[0].droppedLights = makeDroppedLights();
   materials[0].notModelled = {"clearcoat"};
+  materials[0].droppedLobes = {{"sheen", 0.25}};
   materials[0].whatIf = {makeWhatIf("refit", 0.02)};
   report.scenes[0].materials = {makeCard("metal", "rough.png")};
   settleVerdicts(report);

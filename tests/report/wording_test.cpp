@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/verdict/wording.h"
+#include "report/dropped_lobes.h"
 #include "report/sample_report.h"
 #include "report/term_words.h"
 #include "report/wording.h"
@@ -286,6 +287,16 @@ TEST(Wording, DroppedLightsAndTheirMaterialsAreRankedAndEqualOnesKeepTheirOrder)
   EXPECT_EQ(dropped.measured[1].name, "as much as lamp 2");
   EXPECT_EQ(dropped.measured[2].materials[0].material, "Rough metal");
   EXPECT_EQ(dropped.measured[2].materials[1].material, "Glass");
+}
+
+TEST(Wording, DroppedLobesAreNamedWithWhatTheyAreWorth) {
+  MaterialResult material;
+  material.droppedLobes = {{"sheen", 0.4874}};
+  EXPECT_EQ(describeDroppedLobes(material, "highend", "mobile"),
+            "mobile drops the sheen (FLIP 0.487 of the high-end picture without it)");
+  material.droppedLobes = {{"clear coat", 0.043}, {"sheen", 0.12}};
+  EXPECT_EQ(describeDroppedLobes(material, "highend", "mobile"),
+            "mobile drops the clear coat (FLIP 0.043 of the high-end picture without it) and the sheen (0.120)");
 }
 
 } // namespace

@@ -76,6 +76,16 @@ inline scenes::Scene makeLeaningQuad(float angle) {
   return scene;
 }
 
+// Of a light in this direction at makeLeaningQuad(angle), seen along +Z.
+struct QuadCosines {
+  double NoV, NoL, NoH, VoH;
+  QuadCosines(float angle, const glm::dvec3& towards) {
+    const glm::dvec3 N(std::sin(angle), 0, std::cos(angle)), V(0, 0, 1);
+    const glm::dvec3 L = glm::normalize(towards), H = glm::normalize(V + L);
+    NoV = glm::dot(N, V), NoL = glm::dot(N, L), NoH = glm::dot(N, H), VoH = glm::dot(V, H);
+  }
+};
+
 inline scenes::Light makeDirectional(const glm::vec3& towards, const glm::vec3& color) {
   scenes::Light light;
   light.kind = scenes::LightKind::directional;
