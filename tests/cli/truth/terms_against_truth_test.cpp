@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                               {Term::skyDiffuse, 0.002},
                               {Term::skySpecular, 0.012},
                               {Term::emissive, 1e-3},
-                              {Term::coatSpecular, 0.02},
+                              {Term::coatSpecular, 0.025},
                               {Term::sheen, 0.02}}},
                     TermCase{"MaterialsUnderAStudioAndASun",
                              "builtin:materials",
