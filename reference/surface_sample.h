@@ -27,7 +27,12 @@ struct SurfaceSample {
   glm::vec3 coatNormal{0.f, 0.f, 1.f};      // unit
   glm::vec3 sheenColor{0.f};                // [0, 1]
   float sheenRoughness = 0;                 // perceptual
+  float anisotropy = 0;                     // [0, 1]: alpha along the tangent is mix(alpha, 1, anisotropy^2)
+  glm::vec3 tangent{0.f};                   // unit, perpendicular to the normal; read where anisotropy is above 0
+  float iridescence = 0;                    // [0, 1], share of the surface under a thin film
+  float filmIor = 1.3f;                     //
+  float filmThickness = 0;                  // nm
 };
-static_assert(sizeof(SurfaceSample) == 36 * sizeof(float));
+static_assert(sizeof(SurfaceSample) == 43 * sizeof(float));
 
 } // namespace parity::reference

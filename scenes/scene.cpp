@@ -42,10 +42,7 @@ Bounds orEmpty(const Bounds& bounds) { return bounds.lower.x <= bounds.upper.x ?
 } // namespace
 
 bool Scene::hasLobes() const {
-  return std::ranges::any_of(meshes, [&](const Mesh& mesh) {
-    const Material& material = materials[mesh.material];
-    return material.hasCoat() || material.hasSheen();
-  });
+  return std::ranges::any_of(meshes, [&](const Mesh& mesh) { return materials[mesh.material].hasLobes(); });
 }
 
 Bounds Scene::boundsOf(std::size_t instance) const {

@@ -80,19 +80,27 @@ struct Material {
   float coatNormalScale = 1;         // of the coat's own normal map; it does not read the base's
   glm::vec3 sheenColor{0.f}; // KHR_materials_sheen, linear, [0, 1]: fibres over the base, below the coat; 0: none
   float sheenRoughness = 0;
-  std::vector<std::string> notModelled; // what the file gives it and no path shows: "anisotropy"
-  TextureSlot baseColorTexture;         // RGB sRGB, A linear
-  TextureSlot metallicRoughnessTexture; // G roughness, B metallic
-  TextureSlot normalTexture;            // tangent space, +Y up (OpenGL)
-  TextureSlot occlusionTexture;         // R
-  TextureSlot emissiveTexture;          // sRGB
-  TextureSlot specularTexture;          // A
-  TextureSlot specularColorTexture;     // sRGB
-  TextureSlot coatTexture;              // R
-  TextureSlot coatRoughnessTexture;     // G
-  TextureSlot coatNormalTexture;        // as normalTexture
-  TextureSlot sheenColorTexture;        // sRGB
-  TextureSlot sheenRoughnessTexture;    // A
+  float anisotropy = 0; // KHR_materials_anisotropy's strength, [0, 1]: roughness grows along one direction; 0: none
+  float anisotropyRotation = 0; // of that direction from the tangent, radians, counter-clockwise
+  float iridescence = 0;        // KHR_materials_iridescence: share of the surface under a thin film, [0, 1]; 0: none
+  float iridescenceIor = 1.3f;  // of the film
+  float iridescenceThicknessMin = 100, iridescenceThicknessMax = 400; // nm; without a texture the latter holds
+  std::vector<std::string> notModelled;    // what the file gives it and no path shows: "transmission"
+  TextureSlot baseColorTexture;            // RGB sRGB, A linear
+  TextureSlot metallicRoughnessTexture;    // G roughness, B metallic
+  TextureSlot normalTexture;               // tangent space, +Y up (OpenGL)
+  TextureSlot occlusionTexture;            // R
+  TextureSlot emissiveTexture;             // sRGB
+  TextureSlot specularTexture;             // A
+  TextureSlot specularColorTexture;        // sRGB
+  TextureSlot coatTexture;                 // R
+  TextureSlot coatRoughnessTexture;        // G
+  TextureSlot coatNormalTexture;           // as normalTexture
+  TextureSlot sheenColorTexture;           // sRGB
+  TextureSlot sheenRoughnessTexture;       // A
+  TextureSlot anisotropyTexture;           // RG the direction in [-1, 1], B strength
+  TextureSlot iridescenceTexture;          // R
+  TextureSlot iridescenceThicknessTexture; // G: from the least thickness to the greatest
 
   // Dielectric F0 before textures, linear RGB, clamped to [0,1]: ((ior-1)/(ior+1))^2 * specularColor * specular.
   // glTF's default gives exactly 0.04 = UE's Specular 0.5.
@@ -100,6 +108,10 @@ struct Material {
   // Whether it has the layer at all. An unlit material has none.
   bool hasCoat() const { return coat > 0 && !unlit; }
   bool hasSheen() const { return sheenColor != glm::vec3(0) && !unlit; }
+  bool hasAnisotropy() const { return anisotropy > 0 && !unlit; }
+  bool hasIridescence() const { return iridescence > 0 && !unlit; }
+  // Any of the four.
+  bool hasLobes() const { return hasCoat() || hasSheen() || hasAnisotropy() || hasIridescence(); }
   // Metallic exactly 0 with no texture that could raise it, and F0 exactly 0.04 untinted (docs/design.md 6c).
   bool isNonmetal() const;
 };

@@ -13,7 +13,7 @@ struct NamedSlot {
   TextureSlot Material::*slot;
 };
 
-inline constexpr std::array<NamedSlot, 12> kTextureSlots = {
+inline constexpr std::array<NamedSlot, 15> kTextureSlots = {
     {{"base color", "baseColorTexture", &Material::baseColorTexture},
      {"metallic-roughness", "metallicRoughnessTexture", &Material::metallicRoughnessTexture},
      {"normal", "normalTexture", &Material::normalTexture},
@@ -25,7 +25,10 @@ inline constexpr std::array<NamedSlot, 12> kTextureSlots = {
      {"coat roughness", "clearcoatRoughnessTexture", &Material::coatRoughnessTexture},
      {"coat normal", "clearcoatNormalTexture", &Material::coatNormalTexture},
      {"sheen color", "sheenColorTexture", &Material::sheenColorTexture},
-     {"sheen roughness", "sheenRoughnessTexture", &Material::sheenRoughnessTexture}}};
+     {"sheen roughness", "sheenRoughnessTexture", &Material::sheenRoughnessTexture},
+     {"anisotropy", "anisotropyTexture", &Material::anisotropyTexture},
+     {"iridescence", "iridescenceTexture", &Material::iridescenceTexture},
+     {"iridescence thickness", "iridescenceThicknessTexture", &Material::iridescenceThicknessTexture}}};
 
 // The slot whose uv set a mesh's tangents follow: the normal map, or the coat's where the base has none. Null: the
 // material needs no tangents.

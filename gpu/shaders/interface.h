@@ -28,11 +28,16 @@ PARITY_CONST int kSlotCoatRoughness = 8;
 PARITY_CONST int kSlotCoatNormal = 9;
 PARITY_CONST int kSlotSheenColor = 10;
 PARITY_CONST int kSlotSheenRoughness = 11;
-PARITY_CONST int kSlotCount = 12;
-// The slots of coat and sheen, which shaders of scenes without them lack (PARITY_LOBES of path.glsl).
+PARITY_CONST int kSlotAnisotropy = 12;
+PARITY_CONST int kSlotIridescence = 13;
+PARITY_CONST int kSlotIridescenceThickness = 14;
+PARITY_CONST int kSlotCount = 15;
+// The slots of lobes beside the base's own, which shaders of scenes without them lack (PARITY_LOBES of path.glsl).
 PARITY_CONST uint kCoatTextures = 1u << kSlotCoat | 1u << kSlotCoatRoughness | 1u << kSlotCoatNormal;
 PARITY_CONST uint kSheenTextures = 1u << kSlotSheenColor | 1u << kSlotSheenRoughness;
-PARITY_CONST uint kLobeTextures = kCoatTextures | kSheenTextures;
+PARITY_CONST uint kAnisotropyTextures = 1u << kSlotAnisotropy;
+PARITY_CONST uint kIridescenceTextures = 1u << kSlotIridescence | 1u << kSlotIridescenceThickness;
+PARITY_CONST uint kLobeTextures = kCoatTextures | kSheenTextures | kAnisotropyTextures | kIridescenceTextures;
 // In a texture mask, besides the slots: the alpha of normal maps holds the spread of their normals
 // (gpu/surface/normal_variance.h).
 PARITY_CONST uint kNormalVariance = 1u << kSlotCount;
@@ -44,6 +49,10 @@ PARITY_CONST uint kFeatureFullyRough = 4u;
 PARITY_CONST uint kFeatureBlend = 8u;
 PARITY_CONST uint kFeatureCoat = 16u;
 PARITY_CONST uint kFeatureSheen = 32u;
+PARITY_CONST uint kFeatureAnisotropy = 64u;
+PARITY_CONST uint kFeatureIridescence = 128u;
+// What needs the shaders with PARITY_LOBES.
+PARITY_CONST uint kFeatureLobes = kFeatureCoat | kFeatureSheen | kFeatureAnisotropy | kFeatureIridescence;
 
 // Lights.
 PARITY_CONST uint kLightDirectional = 0u;
@@ -97,9 +106,11 @@ PARITY_CONST uint kPlaneF0 = 3u;       // w: F90
 PARITY_CONST uint kPlaneEmissive = 4u; // w: occlusion
 // In the second.
 PARITY_CONST uint kPlaneGeometricNormal = 5u; // w: roughness of the coat
-// Of scenes with coat or sheen.
+// Of scenes with lobes beside the base's own.
 PARITY_CONST uint kPlaneCoatNormal = 6u; // w: coat
 PARITY_CONST uint kPlaneSheen = 7u;      // colour; w: roughness
+PARITY_CONST uint kPlaneTangent = 8u;    // w: anisotropy
+PARITY_CONST uint kPlaneFilm = 9u;       // iridescence, index of refraction, thickness in nm; 0
 
 // The mobile path: local lights of an object, and the index that means none.
 PARITY_CONST uint kLightsPerObject = 4u;
@@ -155,6 +166,8 @@ struct GpuMaterial {
   vec4 factors;          // normalScale, occlusionStrength, specular, alphaCutoff (blend: 1/255)
   vec4 coat;             // coat, its roughness, its normalScale; 0
   vec4 sheen;            // linear RGB; roughness
+  vec4 anisotropy;       // strength; cosine and sine of its rotation; 0
+  vec4 film;             // iridescence, index of refraction, least and greatest thickness in nm
   uvec4 flags;           // features; 0; 0; 0
   GpuTextureSlot slots[kSlotCount];
 };

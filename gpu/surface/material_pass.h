@@ -16,7 +16,9 @@ struct ResolvedMaterial {
   float opacity = 1, metallic = 0, roughness = 1, F90 = 1, occlusion = 1;
   bool unlit = false;
   float coat = 0, coatRoughness = 0, sheenRoughness = 0;
-  glm::vec3 coatNormal{0.f}, sheenColor{0.f}; // coatNormal: unit
+  glm::vec3 coatNormal{0.f}, sheenColor{0.f};                               // coatNormal: unit
+  float anisotropy = 0, iridescence = 0, filmIor = 1.3f, filmThickness = 0; // nm
+  glm::vec3 tangent{0.f};                                                   // of the anisotropy, unit
 };
 
 class MaterialPass {

@@ -40,7 +40,12 @@ samplesOf(const gpu::Surface& surface, const std::vector<gpu::ResolvedMaterial>&
                   .coatRoughness = m.coatRoughness,
                   .coatNormal = m.coatNormal,
                   .sheenColor = m.sheenColor,
-                  .sheenRoughness = m.sheenRoughness};
+                  .sheenRoughness = m.sheenRoughness,
+                  .anisotropy = m.anisotropy,
+                  .tangent = m.tangent,
+                  .iridescence = m.iridescence,
+                  .filmIor = m.filmIor,
+                  .filmThickness = m.filmThickness};
   }
   return samples;
 }

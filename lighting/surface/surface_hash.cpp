@@ -12,9 +12,10 @@ namespace parity::lighting {
 namespace {
 
 // Not in the keys: names; tangents, which hashOfSurfaces adds; what decides no light that is baked or bounced: how mips
-// are read, the fully rough shortcut, what no path shows; and coat and sheen, which baked and bounced light leave out.
+// are read, the fully rough shortcut, what no path shows; and all lobes beside the base's own, which baked and bounced
+// light leave out.
 static_assert(base::memberCount<scenes::Mesh>() == 9 && base::memberCount<scenes::Instance>() == 3 &&
-                  base::memberCount<scenes::Material>() == 33 && base::memberCount<scenes::TextureSlot>() == 4 &&
+                  base::memberCount<scenes::Material>() == 42 && base::memberCount<scenes::TextureSlot>() == 4 &&
                   base::memberCount<scenes::Sampler>() == 6,
               "a new member goes into the key, or is named here with the reason why not");
 

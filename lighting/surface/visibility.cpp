@@ -194,7 +194,7 @@ std::optional<Visibility::Hit> Visibility::firstHit(const glm::dvec3& origin, co
 
 // Not in the key: what decides nothing of where a ray is stopped.
 static_assert(base::memberCount<scenes::Mesh>() == 9 && base::memberCount<scenes::Instance>() == 3 &&
-                  base::memberCount<scenes::Material>() == 33 && base::memberCount<scenes::TextureSlot>() == 4 &&
+                  base::memberCount<scenes::Material>() == 42 && base::memberCount<scenes::TextureSlot>() == 4 &&
                   base::memberCount<scenes::Sampler>() == 6,
               "a new member goes into the key, or is named here with the reason why not");
 
