@@ -54,7 +54,7 @@ endfunction()
 
 # parity_formula(TARGET formula.glsl): the mobile shader with that environment BRDF (mobile/formulas.h), in both precisions:
 # k<Formula>Fp16Comp and k<Formula>Fp32Comp, as parity_shaders makes them; and k<Formula>LobesFp16Comp and so on, for scenes
-# with coat or sheen.
+# with lobes beside the base's own.
 function(parity_formula target formula)
   get_filename_component(name ${formula} NAME_WE)
   foreach(variant "" _lobes)

@@ -47,7 +47,7 @@ base::Image makeOrRecallSheenTable(int size, const paths::Services& services) {
 }
 
 const base::Image* sheenTableOf(const paths::Inputs& inputs, const Options& options) {
-  if (!inputs.buffers.hasLobes()) return nullptr;
+  if ((inputs.buffers.lobes() & (gpu::kFeatureCoat | gpu::kFeatureSheen)) == 0) return nullptr;
   return inputs.services.store.get(fmt::format("sheen table {}", options.lutSize),
                                    [&] { return makeOrRecallSheenTable(options.lutSize, inputs.services); });
 }
@@ -68,7 +68,8 @@ const gpu::EnvironmentMaps* environmentOf(const paths::Inputs& inputs) {
   const lighting::EnvironmentLight* const light = inputs.light.environment.get();
   if (!light) return nullptr;
   return inputs.store.get(fmt::format("highend environment {}", static_cast<const void*>(light)), [&] {
-    return uploadEnvironment(inputs.device, *light, inputs.light.cells.get(), inputs.buffers.hasLobes());
+    return uploadEnvironment(inputs.device, *light, inputs.light.cells.get(),
+                             (inputs.buffers.lobes() & gpu::kFeatureSheen) != 0);
   });
 }
 

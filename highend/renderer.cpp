@@ -165,8 +165,8 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   if (const auto everywhere = static_cast<std::size_t>(bounded - lights.begin()); everywhere > gpu::kMaxLightsOfAPixel)
     throw tooMany(device, everywhere);
   program.terms = inputs.terms;
-  constexpr std::uint32_t kLobes = gpu::kFeatureCoat | gpu::kFeatureSheen;
-  assert(!scene.hasLobes() || inputs.sheenTable || (inputs.hiddenFeatures & kLobes) == kLobes);
+  constexpr std::uint32_t kLayers = gpu::kFeatureCoat | gpu::kFeatureSheen;
+  assert((scene.lobes() & kLayers & ~inputs.hiddenFeatures) == 0 || inputs.sheenTable);
   program.hiddenFeatures = inputs.hiddenFeatures;
   program.expectedPixels = inputs.expectedPixels;
   program.compilation = inputs.compilation;

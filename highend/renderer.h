@@ -24,7 +24,7 @@ struct Inputs {
   const gpu::BakedMaps* baked = nullptr;
   bool cullLights = true; // false: every pixel asks every light, with the same result
   bool terms = false;
-  std::uint32_t hiddenFeatures = 0; // gpu::kFeatureCoat, kFeatureSheen: lobes that it leaves out
+  std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: lobes that it leaves out
   std::uint32_t view = kViewLit;    // what the colour shows (highend/views.h)
   gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that the run will shade

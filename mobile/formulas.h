@@ -11,7 +11,7 @@ namespace parity::mobile {
 // The mobile shader with the formula of a file that defines
 //   real2 ownEnvironmentBrdfAB(real3 SpecularColor, real Roughness, real NoV)
 // A and B of SpecularColor A + B, of arguments in [0, 1]; fully rough materials never ask for it. parity_formula
-// (cmake/ParityShaders.cmake) makes all shaders from the file; those with lobes are of scenes with coat or sheen.
+// (cmake/ParityShaders.cmake) makes all shaders from the file; those with lobes are of scenes with kFeatureLobes.
 struct Formula {
   gpu::Spirv fp16, fp32, lobesFp16, lobesFp32;
 };

@@ -8,7 +8,7 @@ namespace parity::mobile {
 
 namespace {
 
-static_assert(base::memberCount<Options>() == 20 && base::memberCount<Mixing>() == 3, "a new member needs a row");
+static_assert(base::memberCount<Options>() == 22 && base::memberCount<Mixing>() == 3, "a new member needs a row");
 
 constexpr const char* kPresets = "set by the preset";
 
@@ -86,6 +86,18 @@ void addLook(base::KnobTable<Options>& t) {
       .otherwise(kPresets)
       .costs(KnobStage::shading)
       .needsScene("sheen");
+  t.choice<&Options::anisotropy>("mobile-anisotropy", anisotropyFormNames(),
+                                 "Mobile path: brushed metal; bent: reflections about a bent normal")
+      .titled("mobile anisotropy")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("anisotropy");
+  t.choice<&Options::iridescence>("mobile-iridescence", iridescenceFormNames(),
+                                  "Mobile path: thin films; tint: one colour for the view's angle")
+      .titled("mobile iridescence")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("iridescence");
   t.flag<&Options::localLights>("mobile-local-lights", "Mobile path: shade up to four local lights for each object")
       .titled("mobile local lights")
       .otherwise(kPresets)

@@ -30,6 +30,8 @@ const std::vector<Options>& presets() {
                                      .sky = SkyForm::tinted,
                                      .coat = CoatForm::refit,
                                      .sheen = SheenForm::fit,
+                                     .anisotropy = AnisotropyForm::bent,
+                                     .iridescence = IridescenceForm::tint,
                                      .roughnessFloor = 0}};
     for (const Options& added : addedPresets()) {
       if (std::ranges::count(presets, added.preset, &Options::preset) > 0)
@@ -99,6 +101,14 @@ const std::vector<std::string>& coatFormNames() {
 }
 const std::vector<std::string>& sheenFormNames() {
   static const std::vector<std::string> names = {"none", "fit"};
+  return names;
+}
+const std::vector<std::string>& anisotropyFormNames() {
+  static const std::vector<std::string> names = {"none", "bent"};
+  return names;
+}
+const std::vector<std::string>& iridescenceFormNames() {
+  static const std::vector<std::string> names = {"none", "tint"};
   return names;
 }
 

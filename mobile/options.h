@@ -49,6 +49,13 @@ enum class CoatForm { none, ue4, refit };
 // The sheen: none shows the base alone; or an analytic fit of its albedo, by the sky's diffuse light.
 enum class SheenForm { none, fit };
 
+// Anisotropy: none shows a round lobe; or reads of the environment about a bent normal, and lights by the elongated
+// lobe.
+enum class AnisotropyForm { none, bent };
+
+// A thin film: none shows the base alone; or a tint of its specular colour, interference at three wavelengths.
+enum class IridescenceForm { none, tint };
+
 struct Options {
   std::string preset = "ue4-2020"; // the name of the set that the knobs began as
   EnvironmentBrdf environmentBrdf = EnvironmentBrdf::ue4;
@@ -58,15 +65,17 @@ struct Options {
   CaptureEncoding capture = CaptureEncoding::rgbm;
   SkyForm sky = SkyForm::sh4;
   CoatForm coat = CoatForm::ue4;
-  SheenForm sheen = SheenForm::none; // Unreal Engine 4's mobile renderer has no cloth
-  bool localLights = true;           // up to four an object; false: all are baked
-  bool spotShadow = false;           // of the one spot light that is the brightest (mobile/light_choice.h)
-  float spotShadowSharpen = 1;       // about the middle of its soft edge, 1 to 8 (sharpenedShadow)
-  float spotShadowFade = 1;          // how much of it is seen, 0 to 1
-  bool sunShadow = false;            // of the one sun, by a map of its own, beside the baked one
-  float sunShadowDistance = 200;     // metres along the view from which on it is gone
-  float sunShadowFade = 0.1f;        // the last share of that over which it goes, 0 to 1
-  float roughnessFloor = 0.015625f;  // 0.015625^4 = 2^-24
+  SheenForm sheen = SheenForm::none;                   // Unreal Engine 4's mobile renderer has no cloth
+  AnisotropyForm anisotropy = AnisotropyForm::none;    // nor brushed metal
+  IridescenceForm iridescence = IridescenceForm::none; // nor thin films
+  bool localLights = true;                             // up to four an object; false: all are baked
+  bool spotShadow = false;          // of the one spot light that is the brightest (mobile/light_choice.h)
+  float spotShadowSharpen = 1;      // about the middle of its soft edge, 1 to 8 (sharpenedShadow)
+  float spotShadowFade = 1;         // how much of it is seen, 0 to 1
+  bool sunShadow = false;           // of the one sun, by a map of its own, beside the baked one
+  float sunShadowDistance = 200;    // metres along the view from which on it is gone
+  float sunShadowFade = 0.1f;       // the last share of that over which it goes, 0 to 1
+  float roughnessFloor = 0.015625f; // 0.015625^4 = 2^-24
   // What no preset sets.
   Precision precision = Precision::fp16;
   gpu::OutputTarget target = gpu::OutputTarget::rgba16f;  // what its colour is stored in
@@ -92,5 +101,7 @@ const std::vector<std::string>& captureEncodingNames(); // "rgbm", "rgb9e5", "fp
 const std::vector<std::string>& skyFormNames();         // "4", "9", "tinted"
 const std::vector<std::string>& coatFormNames();        // "none", "ue4", "refit"
 const std::vector<std::string>& sheenFormNames();       // "none", "fit"
+const std::vector<std::string>& anisotropyFormNames();  // "none", "bent"
+const std::vector<std::string>& iridescenceFormNames(); // "none", "tint"
 
 } // namespace parity::mobile

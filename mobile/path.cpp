@@ -48,6 +48,14 @@ gpu::ShadowMaps* shadowsOf(const paths::Inputs& inputs, const Options& options) 
                           [&] { return gpu::ShadowMaps(inputs.device, inputs.buffers, casting, inputs.shadowMaps); });
 }
 
+// Of gpu::kFeatureLobes.
+std::uint32_t shownLobes(const Options& options) {
+  return (options.coat != CoatForm::none ? gpu::kFeatureCoat : 0u) |
+         (options.sheen != SheenForm::none ? gpu::kFeatureSheen : 0u) |
+         (options.anisotropy != AnisotropyForm::none ? gpu::kFeatureAnisotropy : 0u) |
+         (options.iridescence != IridescenceForm::none ? gpu::kFeatureIridescence : 0u);
+}
+
 // With notes on what casts no shadow.
 class PathRenderer final : public Renderer {
 public:
@@ -136,20 +144,21 @@ public:
     const Options& own = options.of<Options>();
     std::vector<std::string> notes;
     if (m.fullyRough) notes.emplace_back("fully rough: mobile has no specular light and no environment fetch");
-    const std::uint32_t dropped = droppedLobes(m, options);
-    if ((dropped & gpu::kFeatureCoat) != 0) notes.emplace_back("mobile drops the clear coat");
-    if ((dropped & gpu::kFeatureSheen) != 0) notes.emplace_back("mobile drops the sheen");
-    const bool isUE4Coat = own.coat == CoatForm::ue4 && m.hasCoat(); // its F0 changes with the view
+    const std::uint32_t dropped = droppedLobes(m, options), shown = gpu::lobesOf(m) & ~dropped;
+    for (const auto& [feature, lobe] : gpu::kLobeFeatures)
+      if ((dropped & feature) != 0) notes.push_back(fmt::format("mobile drops the {}", lobe));
+    // Their F0 changes with the view.
+    const bool changesF0 =
+        (own.coat == CoatForm::ue4 && (shown & gpu::kFeatureCoat) != 0) || (shown & gpu::kFeatureIridescence) != 0;
     const bool isKaris =
         own.environmentBrdf == EnvironmentBrdf::karis2014 || own.environmentBrdf == EnvironmentBrdf::ue4;
-    if (!m.fullyRough && m.isNonmetal() && isKaris && !isUE4Coat)
+    if (!m.fullyRough && m.isNonmetal() && isKaris && !changesF0)
       notes.emplace_back("nonmetal: mobile uses EnvBRDFApproxNonmetal");
     return notes;
   }
   std::uint32_t droppedLobes(const scenes::Material& m, const paths::Options& options) const override {
     const Options& own = options.of<Options>();
-    return (m.hasCoat() && (own.coat == CoatForm::none || m.fullyRough) ? gpu::kFeatureCoat : 0u) |
-           (m.hasSheen() && (own.sheen == SheenForm::none || m.fullyRough) ? gpu::kFeatureSheen : 0u);
+    return gpu::lobesOf(m) & (m.fullyRough ? gpu::kFeatureLobes : ~shownLobes(own));
   }
   std::string describeLight(const paths::Options& options, bool hasCaptures) const override {
     const CaptureScale scale = captureScaleOf(options.of<Options>(), hasCaptures);

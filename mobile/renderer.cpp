@@ -37,6 +37,9 @@ static_assert(is(CaptureScale::sky, numbers::kCaptureScaleSky + 1) &&
 static_assert(is(CoatForm::none, numbers::kCoatNone) && is(CoatForm::ue4, numbers::kCoatUE4) &&
               is(CoatForm::refit, numbers::kCoatRefit));
 static_assert(is(SheenForm::none, numbers::kSheenNone) && is(SheenForm::fit, numbers::kSheenFit));
+static_assert(is(AnisotropyForm::none, numbers::kAnisotropyNone) && is(AnisotropyForm::bent, numbers::kAnisotropyBent));
+static_assert(is(IridescenceForm::none, numbers::kIridescenceNone) &&
+              is(IridescenceForm::tint, numbers::kIridescenceTint));
 // The engine's defaults, which the high-end path has too.
 constexpr Mixing kEngineMixing;
 static_assert(kEngineMixing.begin == numbers::kMixingBegin && kEngineMixing.end == numbers::kMixingEnd &&
@@ -61,7 +64,9 @@ std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t vie
           baked,
           falloffs,
           static_cast<std::uint32_t>(options.coat),
-          static_cast<std::uint32_t>(options.sheen)};
+          static_cast<std::uint32_t>(options.sheen),
+          static_cast<std::uint32_t>(options.anisotropy),
+          static_cast<std::uint32_t>(options.iridescence)};
 }
 
 // kBaked... bits of what is read.
@@ -186,6 +191,8 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                 .sunShadow = (baked & gpu::kBakedSunShadow) != 0,
                 .coat = options.coat != CoatForm::none,
                 .sheen = options.sheen != SheenForm::none,
+                .anisotropy = options.anisotropy != AnisotropyForm::none,
+                .iridescence = options.iridescence != IridescenceForm::none,
                 .coatNormal = options.coat == CoatForm::refit ||
                               (options.coat != CoatForm::none && scene.specularAa() == gpu::SpecularAa::toksvig),
                 .normalVariance = scene.specularAa() == gpu::SpecularAa::toksvig};

@@ -21,6 +21,8 @@ std::uint32_t readSlots(const SamplerInputs& inputs, bool isFullyRough) {
   if (!inputs.coat || isFullyRough) slots &= ~gpu::kCoatTextures;
   if (!inputs.coatNormal) slots &= ~(1u << gpu::kSlotCoatNormal);
   if (!inputs.sheen || isFullyRough) slots &= ~gpu::kSheenTextures;
+  if (!inputs.anisotropy || isFullyRough) slots &= ~gpu::kAnisotropyTextures;
+  if (!inputs.iridescence || isFullyRough) slots &= ~gpu::kIridescenceTextures;
   return slots;
 }
 

@@ -17,13 +17,13 @@ struct SamplerInputs {
   bool environment = false;                 // there is one to be fetched
   bool shadowMap = false;                   // a spot light or the sun has one: all lie in one image
   bool lightmap = false, sunShadow = false; // baked, for some object
-  bool coat = false, sheen = false;         // the preset reads their textures
-  bool coatNormal = false;                  // and the coat's normal map, for its direction or its spread
+  bool coat = false, sheen = false, anisotropy = false, iridescence = false; // the preset reads their textures
+  bool coatNormal = false;     // and the coat's normal map, for its direction or its spread
   bool normalVariance = false; // normal maps carry the spread of their normals (gpu/surface/normal_variance.h)
 };
 
 // Pairs of an image and a sampler that the path reads for a material, the environment's included: unlit and fully rough
-// materials do without that, unlit ones without baked light; fully rough ones read no texture of coat and sheen. The
+// materials do without that, unlit ones without baked light; fully rough ones read no texture of further lobes. The
 // seven slots of the base and one environment are 8: with a lightmap and the sun's shadow a material may have five
 // textures of its own.
 std::size_t countSamplers(const scenes::Material& material, const SamplerInputs& inputs);

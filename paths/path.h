@@ -69,7 +69,7 @@ struct Inputs {
   bool asksForShadows = false;                 // of all lights, as far as the path can
   const gpu::ShadowOptions& shadowMaps;
   bool terms = false;
-  std::uint32_t hiddenFeatures = 0; // gpu::kFeatureCoat, kFeatureSheen: lobes to leave out, of a path that hidesLobes
+  std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: what to leave out, of a path that hidesLobes
   std::uint32_t intermediate = 0;   // place in Path::intermediates(); 0: the lit colour
   gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that this run will shade by the renderer
@@ -159,9 +159,9 @@ public:
   }
 
   virtual bool hidesLobes() const { return false; } // Inputs::hiddenFeatures acts
-  // The lobes of a lit material that the path leaves out: gpu::kFeatureCoat, kFeatureSheen.
+  // The lobes of a lit material that the path leaves out, of gpu::kFeatureLobes.
   virtual std::uint32_t droppedLobes(const scenes::Material& material, const Options&) const {
-    return (material.hasCoat() ? gpu::kFeatureCoat : 0u) | (material.hasSheen() ? gpu::kFeatureSheen : 0u);
+    return gpu::lobesOf(material);
   }
 
   // Settings that a study tries besides each knob alone: a name, what a scene must have, values by id of the knob.

@@ -19,5 +19,7 @@ void main() {
   outTermsB[(kPlaneGeometricNormal - kTermsInA) * planeSize + i].w = m.coatRoughness;
   outTermsB[(kPlaneCoatNormal - kTermsInA) * planeSize + i] = vec4(m.coatNormal, m.coat);
   outTermsB[(kPlaneSheen - kTermsInA) * planeSize + i] = vec4(m.sheenColor, m.sheenRoughness);
+  outTermsB[(kPlaneTangent - kTermsInA) * planeSize + i] = vec4(m.tangent, m.anisotropy);
+  outTermsB[(kPlaneFilm - kTermsInA) * planeSize + i] = vec4(m.iridescence, m.filmIor, m.filmThickness, 0.0);
 #endif
 }

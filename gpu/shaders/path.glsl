@@ -1,4 +1,5 @@
-// PARITY_LOBES: the shader is for scenes with coat or sheen. Others have one without them, which is smaller.
+// PARITY_LOBES: the shader is for scenes with lobes beside the base's own (kFeatureLobes). Others have one without them,
+// which is smaller.
 //
 // What every path's shader begins with: the surface entry, the material resolved from its textures, the outputs. In fp32
 // whatever the path's own precision: of the shading maths it calls only what is in real32.
@@ -65,6 +66,9 @@ layout(set = 1, binding = 8) uniform sampler2D coatRoughnessTexture;
 layout(set = 1, binding = 9) uniform sampler2D coatNormalTexture;
 layout(set = 1, binding = 10) uniform sampler2D sheenColorTexture;
 layout(set = 1, binding = 11) uniform sampler2D sheenRoughnessTexture;
+layout(set = 1, binding = 12) uniform sampler2D anisotropyTexture;
+layout(set = 1, binding = 13) uniform sampler2D iridescenceTexture;
+layout(set = 1, binding = 14) uniform sampler2D iridescenceThicknessTexture;
 #endif
 
 layout(push_constant) uniform Push {
@@ -91,6 +95,10 @@ struct Resolved {
   vec3 coatNormal;           // unit
   vec3 sheenColor;           // black: none
   float sheenRoughness;
+  float anisotropy;          // 0: none
+  vec3 tangent;              // of the anisotropy, unit, perpendicular to the normal
+  float iridescence;         // 0: none
+  float filmIor, filmThickness; // nm
 #endif
 };
 
@@ -158,10 +166,16 @@ vec3 anyTangent(vec3 n) {
   return vec3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
 }
 
-// texel: of the normal map; scale: of its slopes.
-vec3 mapNormal(Point p, uint i, vec4 texel, float scale) {
+// Unit; w: the bitangent's sign.
+vec4 tangentOf(Point p, uint i) {
   vec4 tangent = hasVertexData(kVertexTangents) ? surfaceTangent[i] : vec4(0.0);
   if (dot(tangent.xyz, tangent.xyz) < 0.5) tangent = vec4(anyTangent(p.normal), 1.0);
+  return tangent;
+}
+
+// texel: of the normal map; scale: of its slopes.
+vec3 mapNormal(Point p, uint i, vec4 texel, float scale) {
+  vec4 tangent = tangentOf(p, i);
   vec3 bitangent = tangent.w * cross(p.normal, tangent.xyz);
   vec3 t = texel.xyz * 2.0 - 1.0;
   t.xy *= scale;
@@ -199,6 +213,41 @@ void resolveSheen(inout Resolved r, uint m, uint i) {
   r.sheenRoughness = materials[m].sheen.w;
   if (hasTexture(kSlotSheenColor, m)) r.sheenColor *= fetch(sheenColorTexture, kSlotSheenColor, m, i).xyz;
   if (hasTexture(kSlotSheenRoughness, m)) r.sheenRoughness *= fetch(sheenRoughnessTexture, kSlotSheenRoughness, m, i).w;
+}
+
+// KHR_materials_anisotropy. The direction is turned into the plane of the shading normal.
+void resolveAnisotropy(inout Resolved r, Point p, uint i) {
+  uint m = p.material;
+  r.anisotropy = 0.0;
+  r.tangent = anyTangent(r.normal);
+  if (!hasFeature(kFeatureAnisotropy, m)) return;
+  r.anisotropy = materials[m].anisotropy.x;
+  vec2 direction = vec2(1.0, 0.0);
+  if (hasTexture(kSlotAnisotropy, m)) {
+    vec3 texel = fetch(anisotropyTexture, kSlotAnisotropy, m, i).xyz;
+    vec2 d = texel.xy * 2.0 - 1.0;
+    if (dot(d, d) > 1e-4) direction = normalize(d);
+    r.anisotropy *= texel.z;
+  }
+  vec2 turn = materials[m].anisotropy.yz;
+  direction = vec2(turn.x * direction.x - turn.y * direction.y, turn.y * direction.x + turn.x * direction.y);
+  vec4 tangent = tangentOf(p, i);
+  vec3 t = direction.x * tangent.xyz + (direction.y * tangent.w) * cross(p.normal, tangent.xyz);
+  r.tangent = safeNormalize(t - dot(t, r.normal) * r.normal, r.tangent);
+}
+
+// KHR_materials_iridescence.
+void resolveFilm(inout Resolved r, uint m, uint i) {
+  r.iridescence = 0.0;
+  r.filmIor = materials[m].film.y;
+  r.filmThickness = materials[m].film.w;
+  if (!hasFeature(kFeatureIridescence, m)) return;
+  r.iridescence = materials[m].film.x;
+  if (hasTexture(kSlotIridescence, m)) r.iridescence *= fetch(iridescenceTexture, kSlotIridescence, m, i).x;
+  if (hasTexture(kSlotIridescenceThickness, m)) {
+    float share = fetch(iridescenceThicknessTexture, kSlotIridescenceThickness, m, i).y;
+    r.filmThickness = mix(materials[m].film.z, materials[m].film.w, share);
+  }
 }
 #endif
 
@@ -239,6 +288,8 @@ Resolved resolveMaterial(Point p, uint i) {
 #ifdef PARITY_LOBES
   resolveCoat(r, p, i);
   resolveSheen(r, m, i);
+  resolveAnisotropy(r, p, i);
+  resolveFilm(r, m, i);
 #endif
   return r;
 }

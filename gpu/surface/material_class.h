@@ -17,6 +17,18 @@ struct MaterialClass {
   auto operator<=>(const MaterialClass&) const = default;
 };
 MaterialClass classify(const scenes::Material& material);
+
+// The lobes that a material may have beside the base's own, and their names for people.
+struct LobeFeature {
+  std::uint32_t feature;
+  const char* name;
+};
+inline constexpr std::array<LobeFeature, 4> kLobeFeatures = {{{kFeatureCoat, "clear coat"},
+                                                              {kFeatureSheen, "sheen"},
+                                                              {kFeatureAnisotropy, "anisotropy"},
+                                                              {kFeatureIridescence, "iridescence"}}};
+// Those that it has, as bits. An unlit material has none.
+std::uint32_t lobesOf(const scenes::Material& material);
 // Its texture slots in the order of kSlot... of interface.h.
 std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Material& material);
 

@@ -49,6 +49,11 @@ std::vector<ResolvedMaterial> MaterialPass::resolve(const Surface& surface, cons
     m.coat = plane(kPlaneCoatNormal).w;
     m.sheenColor = glm::vec3(plane(kPlaneSheen));
     m.sheenRoughness = plane(kPlaneSheen).w;
+    m.tangent = glm::vec3(plane(kPlaneTangent));
+    m.anisotropy = plane(kPlaneTangent).w;
+    m.iridescence = plane(kPlaneFilm).x;
+    m.filmIor = plane(kPlaneFilm).y;
+    m.filmThickness = plane(kPlaneFilm).z;
   }
   return resolved;
 }

@@ -16,12 +16,14 @@ namespace {
 
 // Bits of a texture mask and of features, from the lowest.
 constexpr std::array<const char*, kSlotCount + 1> kTextureNames = {
-    "base colour",      "metallic-roughness", "normal",          "occlusion",
-    "emissive",         "specular",           "specular colour", "coat",
-    "coat roughness",   "coat normal",        "sheen colour",    "sheen roughness",
-    "spread of normals"};
-constexpr std::array<const char*, 6> kFeatureNames = {"unlit", "nonmetal", "fully rough", "blended", "coat", "sheen"};
-static_assert(kNormalVariance == 1u << (kTextureNames.size() - 1) && kFeatureSheen == 1u << (kFeatureNames.size() - 1));
+    "base colour",    "metallic-roughness", "normal",          "occlusion",
+    "emissive",       "specular",           "specular colour", "coat",
+    "coat roughness", "coat normal",        "sheen colour",    "sheen roughness",
+    "anisotropy",     "iridescence",        "film thickness",  "spread of normals"};
+constexpr std::array<const char*, 8> kFeatureNames = {"unlit", "nonmetal", "fully rough", "blended",
+                                                      "coat",  "sheen",    "anisotropy",  "iridescence"};
+static_assert(kNormalVariance == 1u << (kTextureNames.size() - 1) &&
+              kFeatureIridescence == 1u << (kFeatureNames.size() - 1));
 
 std::string join(const std::vector<std::string>& words) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
@@ -37,9 +39,8 @@ bool serves(const Permutation& p, const MaterialClass& c) {
 Permutation everyScenePermutation(std::uint32_t textures) {
   const bool lobes = (textures & kLobeTextures) != 0;
   return {textures,
-          kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend |
-              (lobes ? kFeatureCoat | kFeatureSheen : 0u),
-          0, true};
+          kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend | (lobes ? kFeatureLobes : 0u), 0,
+          true};
 }
 
 PermutationBudget shareOf(std::size_t scene, std::size_t sceneCount) {

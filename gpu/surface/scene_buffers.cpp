@@ -28,6 +28,8 @@ GpuMaterial pack(const scenes::Material& m) {
   out.factors = vec4(m.normalScale, m.occlusionStrength, m.specular, cutoff);
   out.coat = vec4(m.coat, m.coatRoughness, m.coatNormalScale, 0);
   out.sheen = vec4(m.sheenColor, m.sheenRoughness);
+  out.anisotropy = vec4(m.anisotropy, std::cos(m.anisotropyRotation), std::sin(m.anisotropyRotation), 0);
+  out.film = vec4(m.iridescence, m.iridescenceIor, m.iridescenceThicknessMin, m.iridescenceThicknessMax);
   out.flags = uvec4(classify(m).features, 0, 0, 0);
   for (int slot = 0; slot < kSlotCount; ++slot) {
     const scenes::TextureSlot& texture = *slotsOf(m)[slot];
@@ -134,6 +136,11 @@ std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Materia
   return slots;
 }
 
+std::uint32_t lobesOf(const scenes::Material& m) {
+  return (m.hasCoat() ? kFeatureCoat : 0u) | (m.hasSheen() ? kFeatureSheen : 0u) |
+         (m.hasAnisotropy() ? kFeatureAnisotropy : 0u) | (m.hasIridescence() ? kFeatureIridescence : 0u);
+}
+
 MaterialClass classify(const scenes::Material& material) {
   MaterialClass result;
   if (material.unlit) {
@@ -143,10 +150,12 @@ MaterialClass classify(const scenes::Material& material) {
   } else {
     for (int slot = 0; slot < kSlotCount; ++slot)
       if (slotsOf(material)[slot]->present()) result.textures |= 1u << slot;
-    if (!material.hasCoat()) result.textures &= ~kCoatTextures;
-    if (!material.hasSheen()) result.textures &= ~kSheenTextures;
-    if (material.hasCoat()) result.features |= kFeatureCoat;
-    if (material.hasSheen()) result.features |= kFeatureSheen;
+    const std::uint32_t lobes = lobesOf(material);
+    result.features |= lobes;
+    if ((lobes & kFeatureCoat) == 0) result.textures &= ~kCoatTextures;
+    if ((lobes & kFeatureSheen) == 0) result.textures &= ~kSheenTextures;
+    if ((lobes & kFeatureAnisotropy) == 0) result.textures &= ~kAnisotropyTextures;
+    if ((lobes & kFeatureIridescence) == 0) result.textures &= ~kIridescenceTextures;
     if (material.isNonmetal()) result.features |= kFeatureNonmetal;
     if (material.fullyRough) result.features |= kFeatureFullyRough;
   }
@@ -157,14 +166,15 @@ MaterialClass classify(const scenes::Material& material) {
 SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa,
                            ImageDone onLastRead, const scenes::LightmapUvs* lightmap)
     : m_scene(scene), m_textures(device, scene, specularAa == SpecularAa::toksvig, std::move(onLastRead)),
-      m_specularAa(specularAa), m_hasLobes(scene.hasLobes()) {
+      m_specularAa(specularAa) {
+  for (const scenes::Mesh& mesh : scene.meshes) m_lobes |= lobesOf(scene.materials[mesh.material]);
   bool anyColors = false, anyUvs = false, anyTangents = false, anySecondUv = false;
   for (const scenes::Mesh& mesh : scene.meshes) {
     anyColors |= !mesh.colors.empty();
     anyUvs |= !mesh.uv0.empty() || !mesh.uv1.empty();
     anyTangents |= !mesh.tangents.empty();
   }
-  m_textureBits = (((1u << kSlotCount) - 1) & (m_hasLobes ? ~0u : ~kLobeTextures)) |
+  m_textureBits = (((1u << kSlotCount) - 1) & (hasLobes() ? ~0u : ~kLobeTextures)) |
                   (specularAa == SpecularAa::toksvig ? kNormalVariance : 0u);
   std::vector<GpuMaterial> gpuMaterials;
   for (const scenes::Material& material : scene.materials) {

@@ -32,9 +32,11 @@ public:
   std::uint32_t vertexData() const { return m_vertexData; }
   // All bits of a texture mask that a scene of these settings may have.
   std::uint32_t textureBits() const { return m_textureBits; }
-  // Planes of terms that a path writes of it: those after fog only where a material has coat or sheen.
-  std::size_t termCount() const { return m_hasLobes ? shading::kTermCount : shading::kBaseTermCount; }
-  bool hasLobes() const { return m_hasLobes; }
+  // Planes of terms that a path writes of it: those after fog only where a material has lobes beside the base's own.
+  std::size_t termCount() const { return hasLobes() ? shading::kTermCount : shading::kBaseTermCount; }
+  // Lobes that the materials of its meshes have (lobesOf).
+  std::uint32_t lobes() const { return m_lobes; }
+  bool hasLobes() const { return m_lobes != 0; }
   // First index and base vertex of each mesh in the shared buffers.
   struct MeshRange {
     std::uint32_t firstIndex = 0, indexCount = 0, baseVertex = 0;
@@ -53,7 +55,7 @@ private:
   std::vector<MeshRange> m_meshes;
   SpecularAa m_specularAa;
   std::uint32_t m_vertexData = 0, m_textureBits = 0;
-  bool m_hasLobes = false;
+  std::uint32_t m_lobes = 0;
 };
 
 } // namespace parity::gpu

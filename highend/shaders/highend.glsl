@@ -49,6 +49,12 @@ struct Shader {
   vec3 multiple; // directional albedo of what scatters more often, where it has a lobe of its own
   float Eavg;
   CaptureBlend captures; // where there are any
+#ifdef PARITY_LOBES
+  vec3 T, B;            // tangent and bitangent of the anisotropy, unit
+  float anisotropy;     // 0: none
+  float perceptual;     // the material's roughness, which alpha along T and B come from
+  float film, filmIor, filmThickness; // film 0: none
+#endif
 };
 
 bool hasOwnLobe() { return kCompensation == kCompensationFdezAguera || kCompensation == kCompensationKullaConty; }
@@ -71,6 +77,12 @@ float fresnelMean() {
   return schlickMean();
 }
 
+#ifdef PARITY_LOBES
+#include "highend/shaders/microfacets.glsl"
+#else
+vec3 fresnelOf(Shader s, float VoH) { return mixFresnel(s.F0, s.F90, fresnelWeight(VoH)); }
+#endif
+
 Shader makeShader(Point p, Resolved m) {
   Shader s;
   s.N = m.normal;
@@ -84,19 +96,44 @@ Shader makeShader(Point p, Resolved m) {
   s.factor = vec3(1.0);
   s.multiple = s.single = vec3(0.0);
   s.Eavg = 1.0;
+#ifdef PARITY_LOBES
+  s.T = m.tangent;
+  s.B = cross(s.N, s.T);
+  s.anisotropy = m.anisotropy;
+  s.perceptual = m.roughness;
+  s.film = m.iridescence;
+  s.filmIor = m.filmIor;
+  s.filmThickness = m.filmThickness;
+  if (isAnisotropic(s)) { // what of isotropic lobes there is, is as wide as both alphas
+    vec2 alpha = alphasOf(s, 0.0);
+    s.roughness = sqrt(sqrt(alpha.x * alpha.y));
+  }
+#endif
   if (!hasEnvironment() && kCompensation == kCompensationNone && kDiffuse == kDiffuseLambert && kView == kViewLit) return s;
 
   vec3 ABavg = environmentBrdf(s.NoV, s.roughness);
   vec2 AB = ABavg.xy;
   s.Eavg = ABavg.z;
-  if (kCompensation == kCompensationTurquin) s.factor = energyCompensation(s.F0, AB);
-  s.single = (s.F0 * AB.x + s.F90 * AB.y) * s.factor;
-  if (hasOwnLobe()) {
-    vec3 Favg = mixFresnel(s.F0, s.F90, fresnelMean());
-    s.multiple = kCompensation == kCompensationFdezAguera ? fdezAgueraAlbedo(s.F0, s.F90, Favg, AB)
-                                                          : kullaContyAlbedo(Favg, AB.x + AB.y, s.Eavg);
+  vec3 once = s.F0 * AB.x + s.F90 * AB.y, F0 = s.F0, Favg = mixFresnel(s.F0, s.F90, fresnelMean());
+  float F90 = s.F90;
+#ifdef PARITY_LOBES
+  if (isAnisotropic(s) || hasFilm(s)) {
+    LobeAlbedo a = lobeAlbedo(s);
+    if (isAnisotropic(s)) AB = vec2(a.E - a.B, a.B);
+    once = s.F0 * AB.x + s.F90 * AB.y;
+    if (hasFilm(s)) { // F0 stands for all of the lobe
+      F0 = a.F / max(a.E, 1e-6);
+      AB = vec2(AB.x + AB.y, 0.0);
+      once = F0 * AB.x;
+      Favg = meanFresnelOf(s);
+    }
   }
-  vec3 once = s.F0 * AB.x + s.F90 * AB.y;
+#endif
+  if (kCompensation == kCompensationTurquin) s.factor = energyCompensation(F0, AB);
+  s.single = once * s.factor;
+  if (hasOwnLobe())
+    s.multiple = kCompensation == kCompensationFdezAguera ? fdezAgueraAlbedo(F0, F90, Favg, AB)
+                                                          : kullaContyAlbedo(Favg, AB.x + AB.y, s.Eavg);
   show(kViewEnvBrdfA, vec3(AB.x));
   show(kViewEnvBrdfB, vec3(AB.y));
   show(kViewEnvBrdf, once);
@@ -108,7 +145,7 @@ Shader makeShader(Point p, Resolved m) {
 // Light scattered once, per illuminance of a surface that faces it. NoL > 0.
 vec3 scatteredOnce(Shader s, float alpha, float NoL, float NoH, float VoH) {
   float V = kGeometryTerm == kGeometryHeightCorrelated ? V_SmithGGXCorrelated(alpha, s.NoV, NoL) : V_SchlickSmith(alpha, s.NoV, NoL);
-  return (NoL * D_GGX(alpha, NoH) * V) * mixFresnel(s.F0, s.F90, fresnelWeight(VoH)) * s.factor;
+  return (NoL * D_GGX(alpha, NoH) * V) * fresnelOf(s, VoH) * s.factor;
 }
 
 // Reflected radiance for an illuminance (on a surface facing the light) from direction L.
@@ -120,6 +157,11 @@ Lobes lit(Shader s, vec3 L, vec3 illuminance) {
   float NoH = saturate(dot(s.N, H)), VoH = saturate(dot(s.V, H));
   vec3 E = illuminance * NoL;
   lobes.diffuse = E * s.diffuseColor * Fd_Lambert();
+#ifdef PARITY_LOBES
+  if (isAnisotropic(s))
+    lobes.specular = illuminance * scatteredAnisotropic(s, alphasOf(s, sqr(kMinLightRoughness)), L);
+  else
+#endif
   lobes.specular = illuminance * scatteredOnce(s, s.alpha, NoL, NoH, VoH);
   if (kCompensation == kCompensationFdezAguera) lobes.specular += E * s.multiple * Fd_Lambert();
   if (kCompensation == kCompensationKullaConty) {

@@ -25,6 +25,7 @@ float sheenAlbedo(float cosine, float roughness) {
 Shader makeCoat(Shader base, Resolved m) {
   Shader c = base;
   c.N = m.coatNormal;
+  c.anisotropy = c.film = 0.0;
   c.NoV = clamp(dot(c.N, c.V), kMinNoV, 1.0);
   c.roughness = m.coatRoughness;
   c.alpha = sqr(max(m.coatRoughness, kMinLightRoughness));

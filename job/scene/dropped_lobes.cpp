@@ -1,25 +1,15 @@
 #include "job/scene/dropped_lobes.h"
 
-#include <array>
-#include <utility>
-
 #include "job/scene/swap_effects.h"
 
 namespace parity::job {
-
-namespace {
-
-constexpr std::array<std::pair<std::uint32_t, const char*>, 2> kLobes = {
-    {{gpu::kFeatureCoat, "clear coat"}, {gpu::kFeatureSheen, "sheen"}}};
-
-} // namespace
 
 void measureDroppedLobes(Context& context, const PreparedScene& prepared, SceneRenderer& renderer,
                          const scenes::Camera& camera, const ViewFrames& frames, ComparedView& compared) {
   const Settings& settings = prepared.settings;
   if (settings.droppedLights == 0 || !renderer.paths().chosen.front()->hidesLobes()) return;
   const paths::Path& path = *renderer.paths().chosen[compared.test];
-  for (const auto& [feature, name] : kLobes) {
+  for (const auto& [feature, name] : gpu::kLobeFeatures) {
     std::set<std::size_t> materials;
     for (const std::size_t m : compared.materials)
       if ((path.droppedLobes(prepared.scene.materials[m], settings.options) & feature) != 0 &&

@@ -18,8 +18,8 @@ std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& w
   add("textures", "images", work.images, why.texture);
   add("spread of normals", "images", work.varianceImages, why.variance);
   add("texture compression", "images", work.compressedImages, why.compression);
-  add("clear coat", "materials", work.coats, why.coat);
-  add("sheen", "materials", work.sheens, why.sheen);
+  for (std::size_t i = 0; i < work.lobes.size(); ++i)
+    add(gpu::kLobeFeatures[i].name, "materials", work.lobes[i], why.lobe);
   add("directional lights", "lights", work.directionalLights, why.directional);
   add("local lights", "lights", work.localLights, why.local);
   add("culling of local lights", "groups", work.lightLists, why.lightLists);

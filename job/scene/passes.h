@@ -2,11 +2,13 @@
 // 0.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "gpu/surface/material_class.h"
 #include "report/pass.h"
 
 namespace parity::job {
@@ -32,17 +34,16 @@ struct Work {
   std::uint64_t resolvedSamples = 0, integratedSamples = 0;         // by the truth
   std::uint64_t occluderMeshes = 0;                                 // built for the truth's shadows
   std::uint64_t comparedPixels = 0, comparedWithTruth = 0;
-  std::uint64_t lightPictures = 0;     // with one light less
-  std::uint64_t lobePictures = 0;      // without one lobe of the materials
-  std::uint64_t coats = 0, sheens = 0; // materials of objects that have one
-  std::uint64_t countedShaders = 0;    // whose costs were counted
+  std::uint64_t lightPictures = 0;                              // with one light less
+  std::uint64_t lobePictures = 0;                               // without one lobe of the materials
+  std::array<std::uint64_t, gpu::kLobeFeatures.size()> lobes{}; // materials of objects that have each
+  std::uint64_t countedShaders = 0;                             // whose costs were counted
 };
 
 // Why there was no such work; each is empty where there may have been.
 struct NoNeed {
   std::string environment, suns, table, texture, variance, compression, blended, fog, directional, local, lightLists,
-      shadows, baked, captures, lightChoice, coat, sheen, terms, truth, occluders, droppedLights, droppedLobes, costs,
-      whatIfs;
+      shadows, baked, captures, lightChoice, lobe, terms, truth, occluders, droppedLights, droppedLobes, costs, whatIfs;
 };
 
 // In the order of the work. A count of 0 has a reason.

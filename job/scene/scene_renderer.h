@@ -37,7 +37,7 @@ public:
   // there are seenSamples.
   base::Image renderWithout(std::size_t light, const scenes::Camera& camera);
 
-  // That view again, by the first path without these lobes (gpu::kFeatureCoat, kFeatureSheen). Only where it
+  // That view again, by the first path without these lobes (of gpu::kFeatureLobes). Only where it
   // hidesLobes.
   base::Image renderWithoutLobes(std::uint32_t features, const scenes::Camera& camera);
 

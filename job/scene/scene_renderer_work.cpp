@@ -59,8 +59,8 @@ Work SceneRenderer::work() const {
   for (const scenes::Instance& instance : m_prepared.scene.instances)
     placed.insert(m_prepared.scene.meshes[instance.mesh].material);
   for (const std::uint32_t material : placed) {
-    work.coats += m_prepared.scene.materials[material].hasCoat();
-    work.sheens += m_prepared.scene.materials[material].hasSheen();
+    const std::uint32_t lobes = gpu::lobesOf(m_prepared.scene.materials[material]);
+    for (std::size_t i = 0; i < work.lobes.size(); ++i) work.lobes[i] += (lobes & gpu::kLobeFeatures[i].feature) != 0;
   }
   std::set<const gpu::ShadowMaps*> maps;
   for (const PathState& each : m_paths) {
@@ -120,8 +120,7 @@ NoNeed SceneRenderer::reasons() const {
   why.compression = compresses ? why.texture : "not requested";
   why.blended = "no blended material";
   why.fog = "no fog";
-  why.coat = "no object has one";
-  why.sheen = "no object has any";
+  why.lobe = "no object has it";
   why.directional = !unlit.empty() ? unlit : "no directional light";
   why.local = !unlit.empty() ? unlit : "no local lights";
   why.lightLists = work().localLights == 0 ? why.local : "few lights, or lights without a range";

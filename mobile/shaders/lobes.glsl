@@ -1,8 +1,7 @@
-// Of scenes with coat or sheen. The layers of the mobile path over its base pass, in the forms of the preset
+// Of scenes with lobes beside the base's own. The layers of the mobile path over its base pass, in the forms of the preset
 // (shading/mobile_lobes.glsl). Fully rough materials have neither.
 
 // Whether some material of the permutation has the layer, and the preset shows it.
-bool mayShow(uint feature) { return (kMayFeatures & feature) != 0u && (kMustFeatures & kFeatureFullyRough) == 0u; }
 bool showsCoat() { return kCoat != kCoatNone && mayShow(kFeatureCoat); }
 bool showsSheen() { return kSheen != kSheenNone && mayShow(kFeatureSheen); }
 

@@ -1,4 +1,4 @@
-// The mobile path in single precision, of scenes with coat or sheen.
+// The mobile path in single precision, of scenes with lobes beside the base's own.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define PARITY_LOBES

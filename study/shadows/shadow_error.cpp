@@ -105,7 +105,7 @@ VisibilityError measureVisibility(const gpu::Device& device, const Setup& setup,
     inputs.lights = {light};
     inputs.shadows = shadows;
     inputs.terms = true;
-    inputs.hiddenFeatures = gpu::kFeatureCoat | gpu::kFeatureSheen; // the base's light alone tells what a shadow keeps
+    inputs.hiddenFeatures = gpu::kFeatureLobes; // the base's light alone tells what a shadow keeps
     const highend::Options plain{.model = {.diffuse = shading::DiffuseLobe::lambert},
                                  .compensation = shading::Compensation::none};
     const highend::Renderer renderer(device, buffers, pass.binKinds(), inputs, plain);

@@ -1,0 +1,57 @@
+// The environment by an anisotropic lobe: a sum over directions of the lobe, each a read of the prefiltered level that is as
+// wide as the part of the lobe for which it stands (Krivanek and Colbert 2008, "Real-Time Shading with Filtered Importance
+// Sampling"). Lamps that no level holds are lights.
+
+// Directions of one sum. An elongated lobe has narrow strips of few of them.
+const float kImagePoints = 128.0;
+const int kMostOfStrip = 11;
+// Solid angle of a point over alpha^2 of its level: the lobe of a level has its peak, 1 / (4 pi alpha^2), where this is 4 pi.
+// Slightly sharper levels are nearer to the truth (docs/shading.md 11).
+const float kSolidAngleOfLevel = 18.0;
+
+// Mean over a light of this spread: to second order that of a lobe wider by what half vectors turn (meanOfGgx).
+vec3 lampByAnisotropic(Shader s, vec3 L, float spread) {
+  float NoL = dot(s.N, L);
+  if (NoL <= 0.0) return vec3(0.0);
+  float VoH2 = max(0.5 + 0.5 * dot(s.V, L), 1e-6);
+  float turned = spread * (0.25 + 0.25 / VoH2);
+  vec2 alpha = alphasOf(s, kLeastAlpha);
+  return scatteredAnisotropic(s, sqrt(alpha * alpha + turned), L);
+}
+
+// Of the compact lamps, which are the first.
+vec3 compactLampsByAnisotropic(Shader s) {
+  vec3 sum = vec3(0.0);
+  uint n = 0u;
+  do {
+    vec4 place = lamps[n].directionSpread, content = lamps[n].lightNext;
+    uint next = uint(content.w);
+    if ((next & kLampIsCompact) == 0u) break;
+    bool isLeaf = (next & kLampIsLeaf) != 0u;
+    if (isLeaf) sum += content.xyz * lampByAnisotropic(s, place.xyz, place.w);
+    n = isLeaf ? next >> 2u : n + 1u;
+  } while (n != 0u);
+  return sum;
+}
+
+vec3 reflectedByAnisotropic(Shader s) {
+  vec2 alpha = alphasOf(s, kLeastAlpha);
+  int perStrip = clamp(int(sqrt(kImagePoints * alpha.y / alpha.x) + 0.5), 1, kMostOfStrip);
+  LobeSampling q = lobeSampling(s, alpha, int(kImagePoints) / perStrip, perStrip);
+  float arcs = sumOfArcs(q);
+  vec3 light = vec3(0.0), weight = vec3(0.0);
+  for (int k = 0; k < q.strips * q.perStrip; ++k) {
+    LobePoint p = lobePoint(q, k / q.perStrip, k % q.perStrip, arcs);
+    if (p.weight <= 0.0) continue;
+    vec3 direction = s.T * p.direction.x + s.B * p.direction.y + s.N * p.direction.z;
+    float levelAlpha2 = 1.0 / max(p.density * kSolidAngleOfLevel, 1e-12);
+    float mip = min(unclampedMip(sqrt(sqrt(levelAlpha2))), float(kPrefilterRoughestMip));
+    vec3 F = p.weight * fresnelOf(s, p.VoH);
+    weight += F;
+    light += F * imageRadiance(s, direction, mip);
+  }
+  // As much as of even light.
+  vec3 reflected = light / max(weight, vec3(1e-12)) * s.single;
+  if (kLamps != 0u && (kBaked & kBakedCaptures) == 0u) reflected += compactLampsByAnisotropic(s);
+  return reflected;
+}
