@@ -22,6 +22,14 @@ inline Half sqrt(Half x) { return Half(std::sqrt(float(x))); }
 inline double ceil(double x) { return std::ceil(x); }
 inline float ceil(float x) { return std::ceil(x); }
 
+inline double floor(double x) { return std::floor(x); }
+inline float floor(float x) { return std::floor(x); }
+inline Half floor(Half x) { return Half(std::floor(float(x))); }
+
+inline double cos(double x) { return std::cos(x); }
+inline float cos(float x) { return std::cos(x); }
+inline Half cos(Half x) { return Half(std::cos(float(x))); }
+
 inline double exp2(double x) { return std::exp2(x); }
 inline float exp2(float x) { return std::exp2(x); }
 inline Half exp2(Half x) { return Half(std::exp2(float(x))); }
