@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <glm/trigonometric.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -40,6 +41,11 @@ Json materialsJson(const scenes::Scene& scene, const scenes::SceneInfo& info) {
                     {"coatRoughness", material.coatRoughness},
                     {"sheenColor", toJson(material.sheenColor)},
                     {"sheenRoughness", material.sheenRoughness},
+                    {"anisotropy", material.anisotropy},
+                    {"anisotropyRotation", material.anisotropyRotation},
+                    {"iridescence", material.iridescence},
+                    {"iridescenceIor", material.iridescenceIor},
+                    {"iridescenceThickness", {material.iridescenceThicknessMin, material.iridescenceThicknessMax}},
                     {"alphaMode", kAlphaModes[static_cast<int>(material.alphaMode)]},
                     {"alphaCutoff", material.alphaCutoff},
                     {"textures", info.materials[m].textures},
@@ -96,17 +102,27 @@ void printNames(const char* what, const std::vector<std::string>& names) {
   cli::print("{:<11} {}\n", what, fmt::join(shown, ", "));
 }
 
+std::string withValues(const std::string& flag, const scenes::Material& m) {
+  if (flag == "alpha mask") return fmt::format("alpha mask below {:.3g}", m.alphaCutoff);
+  if (flag == "coat") return fmt::format("coat {:.3g} of roughness {:.3g}", m.coat, m.coatRoughness);
+  if (flag == "sheen")
+    return fmt::format("sheen ({:.3g}, {:.3g}, {:.3g}) of roughness {:.3g}", m.sheenColor.x, m.sheenColor.y,
+                       m.sheenColor.z, m.sheenRoughness);
+  if (flag == "anisotropy")
+    return fmt::format("anisotropy {:.3g} turned by {:.3g} degrees", m.anisotropy, glm::degrees(m.anisotropyRotation));
+  if (flag == "iridescence") {
+    const std::string from =
+        m.iridescenceThicknessTexture.present() ? fmt::format("{:.4g} to ", m.iridescenceThicknessMin) : "";
+    return fmt::format("iridescence {:.3g} of index {:.3g} and {}{:.4g} nm", m.iridescence, m.iridescenceIor, from,
+                       m.iridescenceThicknessMax);
+  }
+  return flag;
+}
+
 // The flags, those with the numbers that belong to them.
 std::vector<std::string> flagsWithValues(const scenes::Material& material, const scenes::MaterialInfo& info) {
   std::vector<std::string> flags;
-  const glm::vec3& sheen = material.sheenColor;
-  for (const std::string& flag : info.flags)
-    flags.push_back(flag == "alpha mask" ? fmt::format("alpha mask below {:.3g}", material.alphaCutoff)
-                    : flag == "coat"
-                        ? fmt::format("coat {:.3g} of roughness {:.3g}", material.coat, material.coatRoughness)
-                    : flag == "sheen" ? fmt::format("sheen ({:.3g}, {:.3g}, {:.3g}) of roughness {:.3g}", sheen.x,
-                                                    sheen.y, sheen.z, material.sheenRoughness)
-                                      : flag);
+  for (const std::string& flag : info.flags) flags.push_back(withValues(flag, material));
   if (!material.notModelled.empty())
     flags.push_back(fmt::format("not modelled: {}", fmt::join(material.notModelled, ", ")));
   return flags;

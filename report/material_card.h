@@ -27,7 +27,8 @@ struct CardInput {
 };
 inline constexpr const char* kCardInputs =
     "baseColor|opacity|metallic|roughness|normal|occlusion|emissive|specular|specularColor|coat|coatRoughness|"
-    "coatNormal|sheenColor|sheenRoughness";
+    "coatNormal|sheenColor|sheenRoughness|anisotropy|anisotropyRotation|iridescence|iridescenceIor|"
+    "iridescenceThickness";
 
 struct MaterialCard {
   std::string name;

@@ -19,7 +19,7 @@ namespace parity::scenes {
 // --------------------------------------------------------------------------------------------------------
 
 // A triangle list in object space; all attribute arrays have the same length. Metres, right-handed, +Y up.
-// The loader generates what a file lacks: flat normals (vertices split), tangents where a normal map needs them.
+// The loader generates what a file lacks: flat normals (vertices split), tangents where a material needs them.
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
@@ -109,7 +109,12 @@ struct Material {
   bool hasCoat() const { return coat > 0 && !unlit; }
   bool hasSheen() const { return sheenColor != glm::vec3(0) && !unlit; }
   bool hasAnisotropy() const { return anisotropy > 0 && !unlit; }
-  bool hasIridescence() const { return iridescence > 0 && !unlit; }
+  // A film of thickness 0 is none (Belcour and Barla 2017: its index then goes to that outside).
+  bool hasIridescence() const {
+    const bool isThick =
+        iridescenceThicknessMax > 0 || (iridescenceThicknessTexture.present() && iridescenceThicknessMin > 0);
+    return iridescence > 0 && isThick && !unlit;
+  }
   // Any of the four.
   bool hasLobes() const { return hasCoat() || hasSheen() || hasAnisotropy() || hasIridescence(); }
   // Metallic exactly 0 with no texture that could raise it, and F0 exactly 0.04 untinted (docs/design.md 6c).
@@ -202,7 +207,7 @@ struct Scene {
   std::optional<Fog> fog;
   std::vector<std::string> warnings; // one line each: what was ignored, replaced or cleaned
 
-  bool hasLobes() const;                       // a material that a mesh shows has a coat or sheen
+  bool hasLobes() const;                       // a material that a mesh shows has a lobe beside the base's
   Bounds boundsOf(std::size_t instance) const; // world space, over its triangles; empty at the origin without any
   Bounds bounds() const;                       // world space, over all instances' triangles
   std::size_t triangleCount() const;           // over instances

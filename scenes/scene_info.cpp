@@ -39,6 +39,8 @@ MaterialInfo describe(const Scene& scene, const Material& material, std::size_t 
   add(material.emissive != glm::vec3(0), "emissive");
   add(material.hasCoat(), "coat");
   add(material.hasSheen(), "sheen");
+  add(material.hasAnisotropy(), "anisotropy");
+  add(material.hasIridescence(), "iridescence");
   add(material.alphaMode == AlphaMode::mask, "alpha mask");
   add(material.alphaMode == AlphaMode::blend, "alpha blend");
   add(material.doubleSided, "double-sided");

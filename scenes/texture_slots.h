@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "scenes/scene.h"
 
@@ -30,11 +31,13 @@ inline constexpr std::array<NamedSlot, 15> kTextureSlots = {
      {"iridescence", "iridescenceTexture", &Material::iridescenceTexture},
      {"iridescence thickness", "iridescenceThicknessTexture", &Material::iridescenceThicknessTexture}}};
 
-// The slot whose uv set a mesh's tangents follow: the normal map, or the coat's where the base has none. Null: the
-// material needs no tangents.
-inline const TextureSlot* tangentSlotOf(const Material& material) {
-  if (material.normalTexture.present()) return &material.normalTexture;
-  return material.coatNormalTexture.present() ? &material.coatNormalTexture : nullptr;
+// The uv set (0: Mesh::uv0, 1: Mesh::uv1) that a mesh's tangents follow: that of the normal map, else of the coat's,
+// else of the anisotropy texture; the first for an anisotropy without any of these. None: the material needs no
+// tangents.
+inline std::optional<int> tangentSetOf(const Material& material) {
+  for (const TextureSlot* slot : {&material.normalTexture, &material.coatNormalTexture, &material.anisotropyTexture})
+    if (slot->present()) return slot->texCoord;
+  return material.hasAnisotropy() ? std::optional(0) : std::nullopt;
 }
 
 } // namespace parity::scenes

@@ -23,6 +23,7 @@ using scenes::AlphaMode, scenes::Material, scenes::TextureSlot;
 
 constexpr std::string_view kPrefix = "texture-", kEnd = ".png";
 constexpr std::size_t kThumbnailDigits = 16;
+const TextureSlot kNoTexture;
 
 // The shortest number that reads back as this float, as the file will have had it: 0.8, not 0.800000011920929.
 double shortest(float value) { return std::stod(fmt::format("{}", value)); }
@@ -46,6 +47,7 @@ struct Slot {
   bool isColor = false;  // stored by the sRGB transfer function
   bool isNormal = false; // directions: its values have no range
   bool fromOne = false;  // the factor scales what is missing to 1: 1 + factor * (texel - 1)
+  float atZero = 0;      // what a texel of 0 means, where one of 1 means the factor
 };
 
 class CardMaker {
@@ -103,6 +105,17 @@ private:
       add("sheenColor", valuesOf(m.sheenColor), {m.sheenColorTexture, "rgb", true});
       add("sheenRoughness", {shortest(m.sheenRoughness)}, {m.sheenRoughnessTexture, "a"});
     }
+    if (m.hasAnisotropy()) {
+      add("anisotropy", {shortest(m.anisotropy)}, {m.anisotropyTexture, "b"});
+      add("anisotropyRotation", {shortest(m.anisotropyRotation)},
+          {.texture = m.anisotropyTexture, .channels = "rgb", .isNormal = true});
+    }
+    if (m.hasIridescence()) {
+      add("iridescence", {shortest(m.iridescence)}, {m.iridescenceTexture, "r"});
+      add("iridescenceIor", {shortest(m.iridescenceIor)}, {kNoTexture, ""});
+      add("iridescenceThickness", {shortest(m.iridescenceThicknessMax)},
+          {.texture = m.iridescenceThicknessTexture, .channels = "g", .atZero = m.iridescenceThicknessMin});
+    }
     constexpr const char* kModes[] = {"opaque", "mask", "blend"};
     card.alphaMode = kModes[static_cast<std::size_t>(m.alphaMode)];
     if (m.alphaMode == AlphaMode::mask) card.alphaCutoff = shortest(m.alphaCutoff);
@@ -151,9 +164,13 @@ private:
     for (std::size_t c = 0; c < channels.size(); ++c) {
       const ValueRange range = rangeOf(summary.counts[kChannels.find(channels[c])], slot.isColor);
       const double factor = input.value[c];
-      const auto at = [&](double value) { return slot.fromOne ? 1 + factor * (value - 1) : factor * value; };
-      input.texture->least.push_back(at(range.least));
-      input.texture->most.push_back(at(range.most));
+      const double atZero = shortest(slot.atZero);
+      const auto at = [&](double value) {
+        return slot.fromOne ? 1 + factor * (value - 1) : atZero + (factor - atZero) * value;
+      };
+      const auto [least, most] = std::minmax({at(range.least), at(range.most)});
+      input.texture->least.push_back(least);
+      input.texture->most.push_back(most);
       input.texture->mean.push_back(at(range.mean));
     }
   }

@@ -67,7 +67,7 @@ TextureSlot SceneBuilder::texture(TextureImage image, float repeats) {
 std::uint32_t SceneBuilder::addMesh(Mesh mesh, const Material& material) {
   mesh.name = material.name;
   mesh.material = static_cast<std::uint32_t>(m_scene.materials.size());
-  if (const TextureSlot* slot = tangentSlotOf(material)) makeTangents(mesh, slot->texCoord);
+  if (const std::optional<int> set = tangentSetOf(material)) makeTangents(mesh, *set);
   m_scene.materials.push_back(material);
   m_scene.meshes.push_back(std::move(mesh));
   return static_cast<std::uint32_t>(m_scene.meshes.size() - 1);

@@ -1,4 +1,7 @@
-// builtin:lobes: clear coats and sheens, one material a sphere.
+// builtin:lobes: clear coats, sheens, anisotropy and thin films, one material a sphere.
+#include <cmath>
+#include <numbers>
+
 #include <fmt/format.h>
 
 #include "scenes/builtin/builtin_scenes.h"
@@ -10,9 +13,9 @@ namespace parity::scenes {
 namespace {
 
 constexpr int kLobeColumns = 6;
-constexpr float kLobeMiddleRow = 2; // of five
+constexpr float kLobeMiddleRow = 3; // of seven
 
-constexpr glm::vec3 kGold{1.00f, 0.77f, 0.34f};
+constexpr glm::vec3 kGold{1.00f, 0.77f, 0.34f}, kSteel{0.56f, 0.57f, 0.58f}, kTitanium{0.54f, 0.50f, 0.45f};
 
 Material carPaint(std::string name, float coatRoughness) {
   Material material = plastic(std::move(name), {0.20f, 0.012f, 0.015f}, 0.6f);
@@ -29,6 +32,41 @@ Material cloth(std::string name, const glm::vec3& color, const glm::vec3& sheenC
   return material;
 }
 
+Material brushed(std::string name, float roughness, float rotation) {
+  Material material = metal(std::move(name), kSteel, roughness);
+  material.anisotropy = 0.8f;
+  material.anisotropyRotation = rotation;
+  return material;
+}
+
+// A film with the index of an oxide, on titanium or on a black plastic; thickness in nm.
+Material filmed(std::string name, bool isMetal, float roughness, float thickness) {
+  Material material =
+      isMetal ? metal(std::move(name), kTitanium, roughness) : plastic(std::move(name), glm::vec3(0.02f), roughness);
+  material.iridescence = 1;
+  material.iridescenceIor = 1.8f;
+  material.iridescenceThicknessMax = thickness;
+  return material;
+}
+
+// Brushing in waves: its direction swings by 45 degrees to both sides of u, its strength goes from 0.4 to 1 along v.
+TextureImage makeWavyBrushing(std::string name) {
+  return makeTexture(std::move(name), 128, [](float u, float v) {
+    constexpr float kTurn = 2 * std::numbers::pi_v<float>;
+    const float angle = 0.125f * kTurn * std::sin(kTurn * u);
+    return glm::vec4(0.5f + 0.5f * std::cos(angle), 0.5f + 0.5f * std::sin(angle), 0.7f + 0.3f * std::cos(kTurn * v),
+                     1);
+  });
+}
+
+// A film that has run, in the green channel.
+TextureImage makeRunFilm(std::string name) {
+  constexpr int kCells = 4;
+  return makeTexture(std::move(name), 128, [](float u, float v) {
+    return glm::vec4(1, periodicNoise(u * kCells, v * kCells, kCells, kCells, 3), 0, 1);
+  });
+}
+
 // Dents as a sprayed lacquer has them.
 TextureImage makeOrangePeel(std::string name) {
   constexpr int kCells = 16;
@@ -40,7 +78,9 @@ TextureImage makeOrangePeel(std::string name) {
 } // namespace
 
 // Rows from the top: a coat of roughness 0 to 1 by fifths over car paint; a smooth coat over gold of these roughnesses;
-// a red sheen and a white one of these; one sphere for each other thing that a coat or sheen can be or lie over.
+// a red sheen and a white one of these; one sphere for each other thing that a coat or sheen can be or lie over;
+// brushed steel of these roughnesses but 1, where no direction is seen, and with a texture; films of 200 nm and more
+// over them, on plastic and on titanium in turn, and with a texture.
 Scene makeLobesScene() {
   SceneBuilder builder("lobes");
   const Mesh sphere = makeSphere(0.46, 96, 48);
@@ -91,6 +131,26 @@ Scene makeLobesScene() {
   lamp.coat = 1;
   lamp.coatRoughness = 0.1f;
   add(lamp);
+
+  constexpr int kTextured = kLobeColumns - 1; // the last of a row
+  constexpr float kEighth = 0.25f * std::numbers::pi_v<float>;
+  for (int i = 0; i < kTextured; ++i) {
+    const float roughness = static_cast<float>(i) / 5.f;
+    add(i == 2   ? brushed("anisotropy 0.4 turned by 45", roughness, kEighth)
+        : i == 4 ? brushed("anisotropy 0.8 turned by 90", roughness, 2 * kEighth)
+                 : brushed(fmt::format("anisotropy {:.1f}", roughness), roughness, 0));
+  }
+  Material wavy = brushed("anisotropy texture", 0.3f, 0);
+  wavy.anisotropyTexture = builder.texture(makeWavyBrushing("wavy brushing"), 2);
+  add(wavy);
+  for (int i = 0; i < kTextured; ++i) {
+    const float roughness = static_cast<float>(i) / 5.f, thickness = 200 + 100 * static_cast<float>(i);
+    add(filmed(fmt::format("film {:.1f}", roughness), i % 2 == 1, roughness, thickness));
+  }
+  Material oil = filmed("film texture", true, 0.2f, 700);
+  oil.iridescenceThicknessMin = 200;
+  oil.iridescenceThicknessTexture = builder.texture(makeRunFilm("run film"), 2);
+  add(oil);
 
   builder.setOrbitCamera(0, 90, 25);
   return builder.finish(makeStudio());

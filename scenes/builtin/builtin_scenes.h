@@ -17,7 +17,7 @@ public:
 
   // A texture slot that reads this image, repeating it `repeats` times over uv.
   TextureSlot texture(TextureImage image, float repeats = 1);
-  // A mesh of a new material, not placed yet. Tangents are made where the material or its coat has a normal map.
+  // A mesh of a new material, not placed yet. Tangents are made where the material needs them.
   std::uint32_t addMesh(Mesh mesh, const Material& material);
   // Places one of the meshes, named `node`.
   void place(std::uint32_t mesh, const std::string& node, const glm::vec3& position, float turnDeg = 0,
@@ -42,7 +42,7 @@ Material plastic(std::string name, const glm::vec3& color, float roughness);
 Scene makeRoomScene();      // a closed room with a window, for baked light
 Scene makeCourtyardScene(); // a yard with columns and thin rods under a sun, for baked shadows
 Scene makeSpheresScene();   // roughness steps of a metal and a dielectric, and a row for each feature
-Scene makeLobesScene();     // coats and sheens over roughness, and a row of single cases
+Scene makeLobesScene();     // coats, sheens, anisotropy and thin films over roughness, and single cases
 Scene makeFurnaceScene();   // F0 = 1 spheres in a white environment, orthographic
 Scene makeLampsScene();     // a floor and objects under more lights than the mobile path takes
 Scene makeLightsScene();    // a field of spheres under 1,000 coloured lamps

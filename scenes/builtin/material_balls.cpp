@@ -61,7 +61,7 @@ Scene makeMaterialBalls(Scene scene) {
     Mesh mesh = ball;
     mesh.name = fmt::format("ball {}", m);
     mesh.material = static_cast<std::uint32_t>(m);
-    if (const TextureSlot* slot = tangentSlotOf(scene.materials[m])) makeTangents(mesh, slot->texCoord);
+    if (const std::optional<int> set = tangentSetOf(scene.materials[m])) makeTangents(mesh, *set);
     const std::size_t column = m % columns, row = m / columns;
     const glm::vec3 center(static_cast<float>(column) - 0.5f * static_cast<float>(columns - 1),
                            0.5f * static_cast<float>(rows - 1) - static_cast<float>(row), 0.f);

@@ -199,6 +199,26 @@ private:
     addExtension(out, "KHR_materials_sheen", std::move(sheen));
   }
 
+  void fillAnisotropy(tinygltf::Material& out, const Material& material) {
+    Value::Object anisotropy;
+    addNumber(anisotropy, "anisotropyStrength", material.anisotropy, 0);
+    addNumber(anisotropy, "anisotropyRotation", material.anisotropyRotation, 0);
+    addTexture(anisotropy, "anisotropyTexture", material.anisotropyTexture);
+    addExtension(out, "KHR_materials_anisotropy", std::move(anisotropy));
+  }
+
+  void fillIridescence(tinygltf::Material& out, const Material& material) {
+    const Material none;
+    Value::Object film;
+    addNumber(film, "iridescenceFactor", material.iridescence, none.iridescence);
+    addNumber(film, "iridescenceIor", material.iridescenceIor, none.iridescenceIor);
+    addNumber(film, "iridescenceThicknessMinimum", material.iridescenceThicknessMin, none.iridescenceThicknessMin);
+    addNumber(film, "iridescenceThicknessMaximum", material.iridescenceThicknessMax, none.iridescenceThicknessMax);
+    addTexture(film, "iridescenceTexture", material.iridescenceTexture);
+    addTexture(film, "iridescenceThicknessTexture", material.iridescenceThicknessTexture);
+    addExtension(out, "KHR_materials_iridescence", std::move(film));
+  }
+
   tinygltf::Material describe(const Material& material) {
     tinygltf::Material out;
     out.name = base::cleanUtf8(material.name);
@@ -224,6 +244,8 @@ private:
     fillSpecular(out, material);
     fillCoat(out, material);
     fillSheen(out, material);
+    fillAnisotropy(out, material);
+    fillIridescence(out, material);
     if (material.fullyRough) out.extras = gltfObject({{"fullyRough", Value(true)}});
     return out;
   }

@@ -2,7 +2,9 @@
 #include "scenes/gltf/material.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -104,6 +106,8 @@ private:
     if (const tinygltf::Value* value = extension("KHR_materials_specular")) readSpecular(*value);
     if (const tinygltf::Value* value = extension("KHR_materials_clearcoat")) readCoat(*value);
     if (const tinygltf::Value* value = extension("KHR_materials_sheen")) readSheen(*value);
+    if (const tinygltf::Value* value = extension("KHR_materials_anisotropy")) readAnisotropy(*value);
+    if (const tinygltf::Value* value = extension("KHR_materials_iridescence")) readIridescence(*value);
     constexpr const char* kGlossiness = "KHR_materials_pbrSpecularGlossiness"; // goes before metallic-roughness
     if (const tinygltf::Value* value = extension(kGlossiness))
       readSpecularGlossiness(m_document, *value, fmt::format("{}/extensions/{}", m_place, kGlossiness), m_material,
@@ -115,8 +119,11 @@ private:
   }
 
   // Of an extension: what it does not say stays at its default.
+  void readNumber(const tinygltf::Value& value, const char* key, float lower, float upper, float& number) {
+    if (value.Has(key)) number = clamp(value.Get(key).GetNumberAsDouble(), lower, upper, key);
+  }
   void readFactor(const tinygltf::Value& value, const char* key, float& factor) {
-    if (value.Has(key)) factor = clamp(value.Get(key).GetNumberAsDouble(), 0, 1, key);
+    readNumber(value, key, 0, 1, factor);
   }
   void readColor(const tinygltf::Value& value, const char* key, float upper, glm::vec3& color) {
     if (!value.Has(key)) return;
@@ -154,6 +161,28 @@ private:
     readTexture(value, "sheenRoughnessTexture", kName, m_material.sheenRoughnessTexture);
   }
 
+  void readAnisotropy(const tinygltf::Value& value) {
+    readFactor(value, "anisotropyStrength", m_material.anisotropy);
+    if (value.Has("anisotropyRotation")) {
+      constexpr double kTurn = 2 * std::numbers::pi;
+      const double rotation = value.Get("anisotropyRotation").GetNumberAsDouble();
+      m_material.anisotropyRotation = // a float of many turns has no digits left for the angle
+          static_cast<float>(std::abs(rotation) <= kTurn ? rotation : std::remainder(rotation, kTurn));
+    }
+    readTexture(value, "anisotropyTexture", "KHR_materials_anisotropy", m_material.anisotropyTexture);
+  }
+
+  // The least thickness may be above the greatest: the texture then works the other way.
+  void readIridescence(const tinygltf::Value& value) {
+    constexpr const char* kName = "KHR_materials_iridescence";
+    readFactor(value, "iridescenceFactor", m_material.iridescence);
+    readNumber(value, "iridescenceIor", 1, kInf, m_material.iridescenceIor);
+    readNumber(value, "iridescenceThicknessMinimum", 0, kInf, m_material.iridescenceThicknessMin);
+    readNumber(value, "iridescenceThicknessMaximum", 0, kInf, m_material.iridescenceThicknessMax);
+    readTexture(value, "iridescenceTexture", kName, m_material.iridescenceTexture);
+    readTexture(value, "iridescenceThicknessTexture", kName, m_material.iridescenceThicknessTexture);
+  }
+
   // A mesh has two uv sets; a material that reads others has them put in their place.
   UvSets chooseUvSets() {
     std::vector<int> sets;
@@ -161,6 +190,8 @@ private:
       if (const TextureSlot& slot = m_material.*each.slot;
           slot.present() && std::find(sets.begin(), sets.end(), slot.texCoord) == sets.end())
         sets.push_back(slot.texCoord);
+    const auto isRead = [&](int set) { return std::find(sets.begin(), sets.end(), set) != sets.end(); };
+    if (takesFirstSet() && sets.size() == 1 && !isRead(0)) sets.push_back(0);
     std::sort(sets.begin(), sets.end());
     if (sets.empty() || sets.back() <= 1) return {};
     const UvSets chosen{sets[0], sets.size() > 1 ? sets[1] : sets[0]};
@@ -180,14 +211,37 @@ private:
     return chosen;
   }
 
-  // A mesh has one tangent at a vertex, of the base's normal map.
+  // Whether the tangents follow TEXCOORD_0 because no texture says another set.
+  bool takesFirstSet() const {
+    return m_material.hasAnisotropy() && !frameSlot() && !m_material.anisotropyTexture.present();
+  }
+  // The normal map whose tangents a mesh has; null without any.
+  const TextureSlot* frameSlot() const {
+    if (m_material.normalTexture.present()) return &m_material.normalTexture;
+    return m_material.coatNormalTexture.present() ? &m_material.coatNormalTexture : nullptr;
+  }
+
+  // A mesh has one tangent at a vertex: of the base's normal map, else of the coat's, else of the anisotropy.
   void checkFrames(const UvSets& sets) {
-    const TextureSlot &base = m_material.normalTexture, &coat = m_material.coatNormalTexture;
-    if (!base.present() || !coat.present() || base.texCoord == coat.texCoord) return;
+    const TextureSlot &base = m_material.normalTexture, &coat = m_material.coatNormalTexture,
+                      &anisotropy = m_material.anisotropyTexture;
     const auto numberOf = [&](const TextureSlot& slot) { return slot.texCoord == 0 ? sets.first : sets.second; };
-    m_warnings.push_back(fmt::format("{}: the normal map of the coat uses TEXCOORD_{}, that of the base TEXCOORD_{}; "
-                                     "both take their tangents from the base's, so the coat's bumps may be turned",
-                                     m_place, numberOf(coat), numberOf(base)));
+    if (base.present() && coat.present() && base.texCoord != coat.texCoord)
+      m_warnings.push_back(fmt::format("{}: the normal map of the coat uses TEXCOORD_{}, that of the base TEXCOORD_{}; "
+                                       "both take their tangents from the base's, so the coat's bumps may be turned",
+                                       m_place, numberOf(coat), numberOf(base)));
+    const TextureSlot* frame = frameSlot();
+    if (frame && anisotropy.present() && frame->texCoord != anisotropy.texCoord)
+      m_warnings.push_back(fmt::format("{}: the anisotropyTexture uses TEXCOORD_{}, the normal map{} TEXCOORD_{}; both "
+                                       "take their tangents from the normal map's, so the anisotropy may be turned",
+                                       m_place, numberOf(anisotropy), frame == &coat ? " of the coat" : "",
+                                       numberOf(*frame)));
+    if (takesFirstSet() && sets.first != 0)
+      m_warnings.push_back(
+          fmt::format("{}: the textures use TEXCOORD_{} and TEXCOORD_{}, and more than two sets are not "
+                      "supported; the tangents follow TEXCOORD_{} instead of TEXCOORD_0, so the "
+                      "anisotropy may be turned",
+                      m_place, sets.first, sets.second, sets.first));
   }
 
   void addNotModelled(std::string what) {
@@ -206,6 +260,10 @@ private:
     if (m_material.coatRoughness == 0) m_material.coatRoughnessTexture = {};
     if (!m_material.hasSheen()) m_material.sheenColorTexture = m_material.sheenRoughnessTexture = {};
     if (m_material.sheenRoughness == 0) m_material.sheenRoughnessTexture = {};
+    if (!m_material.hasAnisotropy()) m_material.anisotropyTexture = {};
+    if (!m_material.hasIridescence()) m_material.iridescenceTexture = m_material.iridescenceThicknessTexture = {};
+    if (m_material.iridescenceThicknessMin == m_material.iridescenceThicknessMax)
+      m_material.iridescenceThicknessTexture = {};
     if (!m_material.unlit) return;
     for (const NamedSlot& each : kTextureSlots)
       if (each.slot != &Material::baseColorTexture) m_material.*each.slot = {};

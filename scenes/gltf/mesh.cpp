@@ -75,8 +75,8 @@ std::size_t makeTangentsCounted(Mesh& mesh, int texCoord, MemoryBudget& memory, 
 }
 
 // Makes the directions of a posed mesh usable, and generates what it lacks and needs.
-void finishFrames(Mesh& mesh, const Material& material, MemoryBudget& memory, const std::string& place,
-                  std::vector<std::string>& warnings) {
+void finishFrames(Mesh& mesh, const Material& material, const UvSets& sets, MemoryBudget& memory,
+                  const std::string& place, std::vector<std::string>& warnings) {
   if (mesh.normals.empty())
     makeFlatNormals(mesh);
   else if (const BrokenDirections broken = mendNormals(mesh); broken.any())
@@ -85,9 +85,17 @@ void finishFrames(Mesh& mesh, const Material& material, MemoryBudget& memory, co
     if (const BrokenDirections broken = mendTangents(mesh); broken.any())
       warnings.push_back(
           fmt::format("{}: arbitrary perpendicular tangents replace {}", place, describe(broken, "tangent")));
-  } else if (const TextureSlot* slot = tangentSlotOf(material))
-    if (const std::size_t count = makeTangentsCounted(mesh, slot->texCoord, memory, place))
+  } else if (const std::optional<int> set = tangentSetOf(material)) {
+    const std::size_t count = makeTangentsCounted(mesh, *set, memory, place);
+    const bool hasUvs = !(*set == 0 ? mesh.uv0 : mesh.uv1).empty();
+    if (material.hasAnisotropy() && !hasUvs)
+      warnings.push_back(fmt::format(
+          "{}: has neither tangents nor TEXCOORD_{}, so the direction of the anisotropy of material '{}' is "
+          "arbitrary",
+          place, *set == 0 ? sets.first : sets.second, material.name));
+    else if (count > 0)
       warnings.push_back(fmt::format("{}: {} vertices have no uv area, so their tangents are arbitrary", place, count));
+  }
 }
 
 } // namespace
@@ -138,11 +146,11 @@ GltfPrimitive buildPrimitive(const GltfDocument& document, int meshIndex, int pr
   const auto normals = reader.attribute("NORMAL", warnings), tangents = reader.attribute("TANGENT", warnings);
   if (normals) mesh.normals = normals->readVec3Unchecked();
   // Without normals in the file its tangents have no meaning (glTF 2.0, 3.7.2.1).
-  if (normals && tangents && tangentSlotOf(material)) mesh.tangents = tangents->readVec4Unchecked();
+  if (normals && tangents && tangentSetOf(material)) mesh.tangents = tangents->readVec4Unchecked();
 
   applyMorphTargets(reader, pose.weights, uvSets, mesh, warnings);
   result.isSkinned = pose.skin && applySkin(reader, *pose.skin, mesh, warnings);
-  finishFrames(mesh, material, document.memory, place, warnings);
+  finishFrames(mesh, material, uvSets, document.memory, place, warnings);
   result.mesh = std::move(mesh);
   return result;
 }

@@ -30,7 +30,7 @@ struct MeshPose {
 std::size_t estimateBytes(const GltfDocument& document, int mesh, int primitive);
 
 // Reads attributes and indices, turns strips and fans into lists, applies morph targets and skin, and generates what is
-// missing: flat normals, and tangents if the material or its coat has a normal map. `material` is the one that the
+// missing: flat normals, and tangents if the material needs them (tangentSetOf). `material` is the one that the
 // primitive is drawn with, uvSets its uv sets. Throws Error (exit 4) with the place:
 // "/meshes/0/primitives/1/attributes/POSITION".
 GltfPrimitive buildPrimitive(const GltfDocument& document, int mesh, int primitive, std::uint32_t materialIndex,

@@ -1,4 +1,4 @@
-// Tangent frames for normal maps, where a file has none.
+// Tangent frames for normal maps and anisotropy, where a file has none.
 #include "scenes/gltf/tangents.h"
 
 #include <algorithm>

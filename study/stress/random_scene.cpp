@@ -103,9 +103,22 @@ scenes::Material randomMaterial(Dice& dice, StressScene& s) {
     m.sheenColor = dice.color();
     m.sheenRoughness = dice.factor();
   }
-  const auto isRead = [&](const scenes::NamedSlot& each) {
+  if (dice.chance(3)) {
+    m.anisotropy = dice.factor();
+    m.anisotropyRotation = dice.between(-6.2831853f, 6.2831853f);
+  }
+  if (dice.chance(3)) {
+    m.iridescence = dice.factor();
+    m.iridescenceIor = dice.chance(6) ? 1 : dice.between(1, 3);
+    m.iridescenceThicknessMin = dice.chance(4) ? 0 : dice.power(-4, 12);
+    m.iridescenceThicknessMax = dice.chance(8) ? 0 : dice.power(-4, 12);
+  }
+  const auto isRead = [&](const scenes::NamedSlot& each) { // as the loader leaves them
     const std::string_view key = each.key;
-    return key.starts_with("clearcoat") ? m.hasCoat() : !key.starts_with("sheen") || m.hasSheen();
+    if (key.starts_with("clearcoat")) return m.hasCoat();
+    if (key.starts_with("sheen")) return m.hasSheen();
+    if (key.starts_with("anisotropy")) return m.hasAnisotropy();
+    return !key.starts_with("iridescence") || m.hasIridescence();
   };
   for (const scenes::NamedSlot& each : scenes::kTextureSlots)
     if (isRead(each) && dice.chance(8)) { // few: a driver takes long over shaders that read many
@@ -149,7 +162,7 @@ void addObject(Dice& dice, StressScene& s) {
     mesh = triangleSoup(dice);
   }
   const scenes::Material material = randomMaterial(dice, s);
-  if (scenes::tangentSlotOf(material)) scenes::makeTangents(mesh, 0);
+  if (const std::optional<int> set = scenes::tangentSetOf(material)) scenes::makeTangents(mesh, *set);
   mesh.material = static_cast<std::uint32_t>(s.scene.materials.size());
   glm::mat4 toWorld = glm::translate(glm::mat4(1.f), dice.direction() * dice.between(0, 0.8f));
   toWorld = glm::rotate(toWorld, dice.between(0, 6.2831853f), dice.direction());

@@ -50,6 +50,8 @@ std::set<std::string> haves(const job::PreparedScene& prepared) {
     if (gpu::classify(material).textures != 0) all.insert("texture");
     if (material.hasCoat()) all.insert("clear coat");
     if (material.hasSheen()) all.insert("sheen");
+    if (material.hasAnisotropy()) all.insert("anisotropy");
+    if (material.hasIridescence()) all.insert("iridescence");
   }
   return all;
 }

@@ -9,11 +9,11 @@ namespace {
 
 using nlohmann::json;
 
-// Three materials, one of them shown; with an anisotropy that no path has.
+// Three materials, one of them shown; with a transmission that no path has.
 GltfFile makeThree() {
   GltfFile file = makeQuad();
-  file.material()["extensions"] = {{"KHR_materials_anisotropy", {{"anisotropyStrength", 1}}}};
-  file.json["extensionsUsed"] = {"KHR_materials_anisotropy"};
+  file.material()["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}};
+  file.json["extensionsUsed"] = {"KHR_materials_transmission"};
   file.json["materials"].push_back({{"name", "rubber"}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
   file.json["materials"].push_back({{"name", "<glow>"}, {"emissiveFactor", {1, 1, 1}}});
   return file;
@@ -25,15 +25,15 @@ TEST(Info, SaysWhatIsInAFile) {
   const RunResult text = runParity({"info", path});
   ASSERT_TRUE(exitedWith(0, text));
   EXPECT_TRUE(text.err.empty()) << text.err;
-  for (const char* part : {"2 triangles", "KHR_materials_anisotropy", "rubber", "nonmetal, not shown",
-                           "not modelled: anisotropy", "1 x 1 x 0 m"})
+  for (const char* part : {"2 triangles", "KHR_materials_transmission", "rubber", "nonmetal, not shown",
+                           "not modelled: transmission", "1 x 1 x 0 m"})
     EXPECT_TRUE(contains(text.out, part)) << part << " in:\n" << text.out;
 
   const json info = json::parse(runParity({"info", path, "--json", "-"}).out);
   EXPECT_EQ(info["triangles"], 2);
-  EXPECT_EQ(info["extensionsUsed"], json({"KHR_materials_anisotropy"}));
+  EXPECT_EQ(info["extensionsUsed"], json({"KHR_materials_transmission"}));
   EXPECT_EQ(info["materials"].size(), 3u);
-  EXPECT_EQ(info["materials"][0]["notModelled"], json({"anisotropy"}));
+  EXPECT_EQ(info["materials"][0]["notModelled"], json({"transmission"}));
   EXPECT_EQ(info["materials"][1]["flags"], json({"nonmetal", "not shown"}));
   EXPECT_EQ(info["bounds"]["upper"], json({1.0, 1.0, 0.0}));
   EXPECT_EQ(info["arrays"]["nodes"], 1);
@@ -64,6 +64,35 @@ TEST(Info, ShowsCoatAndSheenWithTheirValues) {
   EXPECT_EQ(materials[0]["sheenColor"], json({1.0, 0.5, 0.0}));
   EXPECT_EQ(materials[0]["sheenRoughness"], 0.75);
   EXPECT_EQ(materials[1]["coat"], 0.0);
+}
+
+TEST(Info, ShowsAnisotropyAndThinFilmsWithTheirValues) {
+  const TempFolder folder;
+  GltfFile file = makeThree();
+  file.json["images"] = {
+      {{"bufferView", file.addBufferView(makePng(8, 2))}, {"mimeType", "image/png"}, {"name", "film"}}};
+  file.json["textures"] = {{{"source", 0}}};
+  json film = {{"iridescenceFactor", 0.5}, {"iridescenceIor", 1.5}, {"iridescenceThicknessMaximum", 1250}};
+  file.json["materials"][1]["extensions"] = {{"KHR_materials_iridescence", film}};
+  film["iridescenceThicknessTexture"] = {{"index", 0}};
+  file.material()["extensions"] = {
+      {"KHR_materials_anisotropy", {{"anisotropyStrength", 0.75}, {"anisotropyRotation", 1.5707963}}},
+      {"KHR_materials_iridescence", film}};
+  const std::string path = writeGlb(folder, file);
+  const RunResult text = runParity({"info", path});
+  ASSERT_TRUE(exitedWith(0, text));
+  for (const char* part : {"anisotropy 0.75 turned by 90 degrees, iridescence 0.5 of index 1.5 and 100 to 1250 nm",
+                           "iridescence 0.5 of index 1.5 and 1250 nm", "iridescence thickness: film (8x2)"})
+    EXPECT_TRUE(contains(text.out, part)) << part << " in:\n" << text.out;
+  EXPECT_FALSE(contains(text.out, "not modelled")) << text.out;
+  const json materials = json::parse(runParity({"info", path, "--json", "-"}).out)["materials"];
+  EXPECT_EQ(materials[0]["anisotropy"], 0.75);
+  EXPECT_FLOAT_EQ(materials[0]["anisotropyRotation"].get<float>(), 1.5707963f);
+  EXPECT_EQ(materials[0]["iridescence"], 0.5);
+  EXPECT_EQ(materials[0]["iridescenceIor"], 1.5);
+  EXPECT_EQ(materials[0]["iridescenceThickness"], json({100.0, 1250.0}));
+  EXPECT_EQ(materials[2]["anisotropy"], 0.0);
+  EXPECT_EQ(materials[2]["iridescence"], 0.0);
 }
 
 TEST(Info, ListsAllProblemsOfAFile) {
@@ -158,9 +187,10 @@ TEST_F(SceneFileTest, BallsShowEveryMaterialAndWhatIsNotModelledIsInTheReport) {
   EXPECT_EQ(notSeen(scene), 2);
   EXPECT_EQ(notSeen(balls), 0);
   for (const json& materials : {scene, balls}) {
-    EXPECT_EQ(materials[0]["notModelled"], json({"anisotropy"}));
+    EXPECT_EQ(materials[0]["notModelled"], json({"transmission"}));
     EXPECT_EQ(materials[0]["verdict"], "warn") << "never a plain pass";
-    EXPECT_TRUE(contains(materials[0]["reason"], "base layer only: parity does not model anisotropy")) << materials[0];
+    EXPECT_TRUE(contains(materials[0]["reason"], "base layer only: parity does not model transmission"))
+        << materials[0];
     for (const std::size_t plain : {1, 2}) EXPECT_EQ(materials[plain]["notModelled"], json::array());
   }
 }

@@ -56,7 +56,7 @@ namespace {
 GltfFile makeMaterials() {
   GltfFile file = makeTextured(makePng(3, 3), "image/png");
   use(file, {"KHR_texture_transform", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_emissive_strength",
-             "KHR_materials_unlit", "KHR_materials_anisotropy"});
+             "KHR_materials_unlit", "KHR_materials_transmission"});
   const json transform = {
       {"KHR_texture_transform", {{"offset", {0.5, 0}}, {"rotation", 1}, {"scale", {2, -1}}, {"texCoord", 0}}}};
   file.json["materials"] = {{{"name", "a"},
@@ -79,7 +79,7 @@ GltfFile makeMaterials() {
                                  {"specularColorFactor", {1, 0.5, 0.25}},
                                  {"specularColorTexture", {{"index", 0}}}}},
                                {"KHR_materials_ior", {{"ior", 1.4}}},
-                               {"KHR_materials_anisotropy", {{"anisotropyStrength", 1}}},
+                               {"KHR_materials_transmission", {{"transmissionFactor", 1}}},
                                {"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}},
                             {{"name", "b"},
                              {"alphaMode", "BLEND"},
@@ -110,6 +110,27 @@ GltfFile makeLobes() {
                          {"sheenColorTexture", {{"index", 0}}},
                          {"sheenRoughnessFactor", 0.5},
                          {"sheenRoughnessTexture", {{"index", 0}}}}}}}};
+  return file;
+}
+
+// An anisotropy and a thin film with all that they can have; the tangents follow the anisotropy's texture.
+GltfFile makeFilm() {
+  GltfFile file = makeTextured(makePng(3, 3), "image/png");
+  use(file, {"KHR_texture_transform", "KHR_materials_anisotropy", "KHR_materials_iridescence"}, true);
+  file.primitive()["attributes"]["TEXCOORD_1"] = file.primitive()["attributes"]["TEXCOORD_0"];
+  const json transform = {{"KHR_texture_transform", {{"rotation", 1}, {"texCoord", 1}}}};
+  file.material() = {{"extensions",
+                      {{"KHR_materials_anisotropy",
+                        {{"anisotropyStrength", 0.5},
+                         {"anisotropyRotation", 1},
+                         {"anisotropyTexture", {{"index", 0}, {"extensions", transform}}}}},
+                       {"KHR_materials_iridescence",
+                        {{"iridescenceFactor", 0.5},
+                         {"iridescenceTexture", {{"index", 0}}},
+                         {"iridescenceIor", 1.5},
+                         {"iridescenceThicknessMinimum", 200},
+                         {"iridescenceThicknessMaximum", 700},
+                         {"iridescenceThicknessTexture", {{"index", 0}, {"texCoord", 1}}}}}}}};
   return file;
 }
 
@@ -212,6 +233,7 @@ std::map<std::string, Bytes> makeGltfSeeds() {
                                                  {"data-image", dataImage},
                                                  {"materials", makeMaterials()},
                                                  {"lobes", makeLobes()},
+                                                 {"film", makeFilm()},
                                                  {"specular-glossiness", makeSpecularGlossiness()},
                                                  {"variants", makeVariants()},
                                                  {"lights-cameras", makeLightsAndCameras()},

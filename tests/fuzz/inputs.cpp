@@ -63,9 +63,13 @@ std::string findFault(const scenes::Scene& scene) {
       if ((material.*each.slot).image >= static_cast<int>(scene.images.size())) return "a texture of no image";
   for (const scenes::Material& material : scene.materials) {
     const glm::vec3 sheen = material.sheenColor;
-    for (const float factor :
-         {material.coat, material.coatRoughness, material.sheenRoughness, sheen.x, sheen.y, sheen.z})
-      if (!(factor >= 0 && factor <= 1)) return "a coat or sheen out of range";
+    for (const float factor : {material.coat, material.coatRoughness, material.sheenRoughness, sheen.x, sheen.y,
+                               sheen.z, material.anisotropy, material.iridescence})
+      if (!(factor >= 0 && factor <= 1)) return "a factor of a lobe out of range";
+    if (!(std::abs(material.anisotropyRotation) <= 6.2831855f)) return "a rotation of many turns";
+    if (!(material.iridescenceIor >= 1)) return "a film whose index is below 1";
+    for (const float thickness : {material.iridescenceThicknessMin, material.iridescenceThicknessMax})
+      if (!(thickness >= 0 && std::isfinite(thickness))) return "a film of no real thickness";
   }
   for (const scenes::Material& material : scene.materials)
     if (!isUtf8(material.name)) return "a name that is not UTF-8";

@@ -11,18 +11,21 @@ inline constexpr const char* kGltfValues[] = {
     "EXPONENTIAL", "image/png", "image/webp", "2.0", "../x", "data:, ", "data:;base64,AAAA", "x.bin", "\xc3\xa4%20/"};
 
 inline constexpr const char* kGltfKeys[] = {
-    "accessors", "alphaCutoff", "alphaMode", "animations", "attributes", "baseColorTexture", "buffer", "bufferView",
+    "accessors", "alphaCutoff", "alphaMode", "animations", "anisotropyRotation", "anisotropyStrength", "anisotropyTexture",
+    "attributes", "baseColorTexture", "buffer", "bufferView",
     "bufferViews", "byteLength", "byteOffset", "byteStride", "cameras", "channels", "children",
     "clearcoatFactor", "clearcoatNormalTexture", "componentType", "count", "extensions", "extensionsUsed", "filter",
     "images", "indices", "input", "instances", "interpolation",
-    "inverseBindMatrices", "joints", "light", "mappings", "material", "materials", "matrix", "max", "mesh", "meshes",
+    "inverseBindMatrices", "iridescenceFactor", "iridescenceIor", "iridescenceTexture", "iridescenceThicknessMaximum",
+    "iridescenceThicknessTexture", "joints", "light", "mappings", "material", "materials", "matrix", "max", "mesh", "meshes",
     "min", "minVersion", "mode", "node", "nodes", "normalized", "normalTexture", "output", "path", "primitives",
     "range", "rotation", "sampler", "samplers", "scale", "scene", "scenes",
     "sheenColorFactor", "sheenColorTexture", "skeleton", "skin", "skins", "source", "sparse", "spot", "target", "targets", "texCoord", "textures", "translation", "type", "uri", "values",
     "variants", "weights", "POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_9", "COLOR_0",
     "JOINTS_0", "JOINTS_1", "WEIGHTS_0", "WEIGHTS_1", "TRANSLATION", "ROTATION", "SCALE", "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression", "EXT_texture_webp", "KHR_draco_mesh_compression", "KHR_lights_punctual",
-    "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_iridescence",
     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen", "KHR_materials_specular",
     "KHR_materials_unlit", "KHR_materials_variants", "KHR_mesh_quantization",
     "KHR_texture_basisu", "KHR_texture_transform"};

@@ -168,7 +168,7 @@ TEST(MaterialCards, SayWhatIsNotTheDefault) {
   m.alphaMode = scenes::AlphaMode::blend;
   m.baseColor.w = 0.3f;
   m.unlit = m.fullyRough = true;
-  m.notModelled = {"anisotropy"};
+  m.notModelled = {"transmission"};
   scenes::Mesh& mesh = scene.meshes.emplace_back();
   mesh.colors = {glm::vec4(1)};
   const MaterialCard card = describeMaterials(scene, {}, true).cards.at(0);
@@ -180,7 +180,7 @@ TEST(MaterialCards, SayWhatIsNotTheDefault) {
   EXPECT_TRUE(card.unlit && card.fullyRough && card.vertexColors);
   EXPECT_FALSE(card.nonmetal);
   EXPECT_NEAR(card.f0.at(1), 0.01, 1e-7);
-  EXPECT_EQ(card.notModelled, std::vector<std::string>{"anisotropy"});
+  EXPECT_EQ(card.notModelled, std::vector<std::string>{"transmission"});
 }
 
 TEST(MaterialCards, SayCoatAndSheenWithTheirTextures) {
@@ -214,6 +214,49 @@ TEST(MaterialCards, SayCoatAndSheenWithTheirTextures) {
   EXPECT_DOUBLE_EQ(find(card, "sheenRoughness")->texture->least.at(0), 0.8 * 0.2);
   EXPECT_EQ(made.pictures.size(), 5u) << "one of each choice of channels";
   scene.materials[0].unlit = true;
+  EXPECT_EQ(namesOf(describeMaterials(scene, {}, true).cards.at(0)),
+            (std::vector<std::string>{"baseColor", "metallic", "roughness"}));
+}
+
+TEST(MaterialCards, SayAnisotropyAndThinFilmsWithTheirTextures) {
+  scenes::Scene scene;
+  const int texels = addImage(scene, "texels", {51, 102, 0, 255}, {255, 204, 255, 51});
+  scenes::Material& m = addMaterial(scene, "tempered steel");
+  m.anisotropy = 0.8f;
+  m.anisotropyRotation = 0.25f;
+  m.iridescence = 0.5f;
+  m.iridescenceIor = 1.7f;
+  m.iridescenceThicknessMin = 150;
+  m.iridescenceThicknessMax = 650;
+  const std::vector<std::string> plain = {
+      "baseColor",          "metallic",    "roughness",      "anisotropy",
+      "anisotropyRotation", "iridescence", "iridescenceIor", "iridescenceThickness"};
+  EXPECT_EQ(namesOf(describeMaterials(scene, {}, true).cards.at(0)), plain);
+  m.anisotropyTexture.image = m.iridescenceTexture.image = m.iridescenceThicknessTexture.image = texels;
+  const MaterialCards made = describeMaterials(scene, {}, true);
+  const MaterialCard& card = made.cards.at(0);
+  EXPECT_EQ(namesOf(card), plain);
+  EXPECT_EQ(find(card, "anisotropy")->value, std::vector<double>{0.8});
+  EXPECT_EQ(find(card, "anisotropy")->texture->channels, "b");
+  EXPECT_EQ(find(card, "anisotropy")->texture->most, std::vector<double>{0.8});
+  EXPECT_EQ(find(card, "anisotropyRotation")->value, std::vector<double>{0.25});
+  EXPECT_EQ(find(card, "anisotropyRotation")->texture->channels, "rgb");
+  EXPECT_TRUE(find(card, "anisotropyRotation")->texture->mean.empty()) << "directions have no range";
+  EXPECT_EQ(find(card, "iridescence")->texture->channels, "r");
+  EXPECT_EQ(find(card, "iridescence")->texture->least, std::vector<double>{0.1});
+  EXPECT_EQ(find(card, "iridescenceIor")->value, std::vector<double>{1.7});
+  EXPECT_FALSE(find(card, "iridescenceIor")->texture);
+  EXPECT_EQ(find(card, "iridescenceThickness")->value, std::vector<double>{650});
+  EXPECT_EQ(find(card, "iridescenceThickness")->texture->channels, "g");
+  EXPECT_DOUBLE_EQ(find(card, "iridescenceThickness")->texture->least.at(0), 150 + 500 * 0.4);
+  EXPECT_DOUBLE_EQ(find(card, "iridescenceThickness")->texture->most.at(0), 150 + 500 * 0.8);
+  EXPECT_EQ(made.pictures.size(), 4u) << "one of each choice of channels";
+  m.iridescenceThicknessMin = 650;
+  m.iridescenceThicknessMax = 150;
+  const MaterialCard turned = describeMaterials(scene, {}, false).cards.at(0);
+  EXPECT_DOUBLE_EQ(find(turned, "iridescenceThickness")->texture->least.at(0), 650 - 500 * 0.8);
+  EXPECT_DOUBLE_EQ(find(turned, "iridescenceThickness")->texture->most.at(0), 650 - 500 * 0.4);
+  m.unlit = true;
   EXPECT_EQ(namesOf(describeMaterials(scene, {}, true).cards.at(0)),
             (std::vector<std::string>{"baseColor", "metallic", "roughness"}));
 }

@@ -59,7 +59,8 @@ TEST(Builtin, EveryNameLoadsWithCameraEnvironmentAndUniqueMaterials) {
       expectSound(mesh, name + "/" + mesh.name);
       ASSERT_LT(mesh.material, scene.materials.size());
       const scenes::Material& material = scene.materials[mesh.material];
-      EXPECT_EQ(mesh.tangents.empty(), !material.normalTexture.present() && !material.coatNormalTexture.present())
+      EXPECT_EQ(mesh.tangents.empty(),
+                !material.normalTexture.present() && !material.coatNormalTexture.present() && !material.hasAnisotropy())
           << mesh.name;
     }
   }
@@ -153,7 +154,7 @@ TEST(Builtin, SpheresShowEveryFeatureOnce) {
 TEST(Builtin, LobesStepThroughTheRoughnessOfCoatsAndSheensAndShowEachOtherCaseOnce) {
   const Scene scene = scenes::makeBuiltinScene("lobes");
   using scenes::Material;
-  ASSERT_EQ(scene.materials.size(), 30u);
+  ASSERT_EQ(scene.materials.size(), 42u);
   for (std::size_t i = 0; i < 6; ++i) {
     const float step = static_cast<float>(i) / 5.f;
     const Material &coat = scene.materials[i], &gold = scene.materials[6 + i];
@@ -172,7 +173,7 @@ TEST(Builtin, LobesStepThroughTheRoughnessOfCoatsAndSheensAndShowEachOtherCaseOn
   EXPECT_EQ(scene.materials[13].name, "sheen 0.2");
   EXPECT_EQ(scene.materials[19].name, "sheen white 0.2");
   const auto once = [&](const auto& is) {
-    return std::count_if(scene.materials.begin() + 24, scene.materials.end(), is) == 1;
+    return std::count_if(scene.materials.begin() + 24, scene.materials.begin() + 30, is) == 1;
   };
   EXPECT_TRUE(once([](const Material& m) { return m.coat == 0.5f; }));
   EXPECT_TRUE(once([](const Material& m) { return m.coatNormalTexture.present() && !m.normalTexture.present(); }));
@@ -181,7 +182,43 @@ TEST(Builtin, LobesStepThroughTheRoughnessOfCoatsAndSheensAndShowEachOtherCaseOn
   EXPECT_TRUE(once([](const Material& m) { return m.sheenColorTexture.present(); }));
   EXPECT_TRUE(once([](const Material& m) { return m.hasCoat() && m.hasSheen(); }));
   EXPECT_TRUE(once([](const Material& m) { return m.hasCoat() && m.emissive != glm::vec3(0); }));
-  for (const Material& m : scene.materials) EXPECT_TRUE(m.hasCoat() || m.hasSheen()) << m.name;
+  for (std::size_t i = 0; i < 30; ++i)
+    EXPECT_TRUE(scene.materials[i].hasCoat() || scene.materials[i].hasSheen()) << scene.materials[i].name;
+}
+
+TEST(Builtin, LobesStepThroughTheRoughnessOfBrushedSteelAndThinFilms) {
+  const Scene scene = scenes::makeBuiltinScene("lobes");
+  using scenes::Material;
+  ASSERT_EQ(scene.materials.size(), 42u);
+  std::set<float> rotations;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const float step = static_cast<float>(i) / 5.f;
+    const Material &steel = scene.materials[30 + i], &film = scene.materials[36 + i];
+    EXPECT_FLOAT_EQ(steel.roughness, step);
+    EXPECT_EQ(steel.metallic, 1.f);
+    EXPECT_EQ(steel.anisotropy, 0.8f);
+    EXPECT_FALSE(steel.hasIridescence());
+    rotations.insert(steel.anisotropyRotation);
+    EXPECT_FLOAT_EQ(film.roughness, step);
+    EXPECT_EQ(film.metallic, i % 2 == 1 ? 1.f : 0.f);
+    EXPECT_EQ(film.iridescence, 1.f);
+    EXPECT_FLOAT_EQ(film.iridescenceThicknessMax, 200 + 100 * static_cast<float>(i));
+    EXPECT_FALSE(film.hasAnisotropy());
+  }
+  EXPECT_EQ(rotations.size(), 3u) << "none, an eighth and a quarter of a turn";
+  EXPECT_EQ(scene.materials[31].name, "anisotropy 0.2");
+  EXPECT_EQ(scene.materials[37].name, "film 0.2");
+  const Material &wavy = scene.materials[35], &oil = scene.materials[41];
+  EXPECT_TRUE(wavy.hasAnisotropy() && wavy.anisotropyTexture.present());
+  EXPECT_TRUE(oil.hasIridescence() && oil.iridescenceThicknessTexture.present());
+  EXPECT_EQ(oil.iridescenceThicknessMin, 200.f);
+  EXPECT_EQ(oil.iridescenceThicknessMax, 700.f);
+  const auto& texels = scene.images.at(static_cast<std::size_t>(wavy.anisotropyTexture.image)).pixels.pixels;
+  for (std::size_t i = 0; i < texels.size(); i += 4) { // a direction everywhere, to one side of u
+    const glm::vec2 direction = glm::vec2(texels[i], texels[i + 1]) / 127.5f - 1.f;
+    EXPECT_NEAR(glm::length(direction), 1, 0.01);
+    EXPECT_GT(direction.x, 0.7f);
+  }
 }
 
 TEST(Shapes, SphereIsASphereToAThousandth) {

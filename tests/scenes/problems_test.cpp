@@ -111,12 +111,12 @@ TEST(Loading, ReadsOnlyTheBuffersAndImagesThatAreShownAndEachImageOnce) {
   file.material()["normalTexture"] = {{"index", 1}};
   file.json["materials"].push_back({{"normalTexture", {{"index", 2}}}});
   const std::string path = writeExternal(folder, file);
-  nlohmann::json json = nlohmann::json::parse(base::readText(path));
-  json["buffers"].push_back({{"uri", "absent.bin"}, {"byteLength", 12}});
-  json["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 12}});
-  json["accessors"].push_back(
-      {{"bufferView", json["bufferViews"].size() - 1}, {"componentType", 5126}, {"count", 1}, {"type", "VEC3"}});
-  writeFile(path, json.dump());
+  nlohmann::json document = nlohmann::json::parse(base::readText(path));
+  document["buffers"].push_back({{"uri", "absent.bin"}, {"byteLength", 12}});
+  document["bufferViews"].push_back({{"buffer", 1}, {"byteLength", 12}});
+  document["accessors"].push_back(
+      {{"bufferView", document["bufferViews"].size() - 1}, {"componentType", 5126}, {"count", 1}, {"type", "VEC3"}});
+  writeFile(path, document.dump());
   const scenes::Scene scene = scenes::loadScene(path);
   EXPECT_EQ(scene.materials[0].baseColorTexture.image, scene.materials[0].normalTexture.image);
   ASSERT_EQ(scene.sources.size(), 3u) << "the file, its buffer, one image";

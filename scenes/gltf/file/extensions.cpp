@@ -15,14 +15,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, 18> kSupported = {"EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 20> kSupported = {"EXT_mesh_gpu_instancing",
                                                          "EXT_meshopt_compression",
                                                          "EXT_texture_webp",
                                                          "KHR_draco_mesh_compression",
                                                          "KHR_lights_punctual",
+                                                         "KHR_materials_anisotropy",
                                                          "KHR_materials_clearcoat",
                                                          "KHR_materials_emissive_strength",
                                                          "KHR_materials_ior",
+                                                         "KHR_materials_iridescence",
                                                          "KHR_materials_pbrSpecularGlossiness",
                                                          "KHR_materials_sheen",
                                                          "KHR_materials_specular",
@@ -37,10 +39,8 @@ constexpr std::array<std::string_view, 18> kSupported = {"EXT_mesh_gpu_instancin
 struct NotModelled {
   std::string_view extension, name;
 };
-constexpr std::array<NotModelled, 8> kNotModelled = {{{"KHR_materials_anisotropy", "anisotropy"},
-                                                      {"KHR_materials_diffuse_transmission", "diffuse transmission"},
+constexpr std::array<NotModelled, 6> kNotModelled = {{{"KHR_materials_diffuse_transmission", "diffuse transmission"},
                                                       {"KHR_materials_dispersion", "dispersion"},
-                                                      {"KHR_materials_iridescence", "iridescence"},
                                                       {"KHR_materials_subsurface", "subsurface"},
                                                       {"KHR_materials_transmission", "transmission"},
                                                       {"KHR_materials_volume", "volume"},

@@ -70,6 +70,14 @@ constexpr Rule kCoat[] = {number("clearcoatFactor"), object("clearcoatTexture", 
                           object("clearcoatNormalTexture", kTextureInfo)};
 constexpr Rule kSheen[] = {numbers("sheenColorFactor", 3), object("sheenColorTexture", kTextureInfo),
                            number("sheenRoughnessFactor"), object("sheenRoughnessTexture", kTextureInfo)};
+constexpr Rule kAnisotropy[] = {number("anisotropyStrength"), number("anisotropyRotation"),
+                                object("anisotropyTexture", kTextureInfo)};
+constexpr Rule kIridescence[] = {number("iridescenceFactor"),
+                                 object("iridescenceTexture", kTextureInfo),
+                                 number("iridescenceIor"),
+                                 number("iridescenceThicknessMinimum"),
+                                 number("iridescenceThicknessMaximum"),
+                                 object("iridescenceThicknessTexture", kTextureInfo)};
 constexpr Rule kSpecularGlossiness[] = {numbers("diffuseFactor", 4), object("diffuseTexture", kTextureInfo),
                                         numbers("specularFactor", 3), number("glossinessFactor"),
                                         object("specularGlossinessTexture", kTextureInfo)};
@@ -79,6 +87,8 @@ constexpr Rule kMaterialExtensions[] = {object("KHR_materials_specular", kSpecul
                                         object("KHR_materials_ior", kIor),
                                         object("KHR_materials_clearcoat", kCoat),
                                         object("KHR_materials_sheen", kSheen),
+                                        object("KHR_materials_anisotropy", kAnisotropy),
+                                        object("KHR_materials_iridescence", kIridescence),
                                         object("KHR_materials_emissive_strength", kEmissiveStrength),
                                         object("KHR_materials_unlit", {}),
                                         object("KHR_materials_pbrSpecularGlossiness", kSpecularGlossiness)};

@@ -113,6 +113,12 @@ void expectSameMaterials(const Scene& a, const Scene& b) {
     EXPECT_EQ(m.coatRoughness, n.coatRoughness) << m.name;
     EXPECT_EQ(m.sheenColor, n.sheenColor) << m.name;
     EXPECT_EQ(m.sheenRoughness, n.sheenRoughness) << m.name;
+    EXPECT_EQ(m.anisotropy, n.anisotropy) << m.name;
+    EXPECT_EQ(m.anisotropyRotation, n.anisotropyRotation) << m.name;
+    EXPECT_EQ(m.iridescence, n.iridescence) << m.name;
+    EXPECT_EQ(m.iridescenceIor, n.iridescenceIor) << m.name;
+    EXPECT_EQ(m.iridescenceThicknessMin, n.iridescenceThicknessMin) << m.name;
+    EXPECT_EQ(m.iridescenceThicknessMax, n.iridescenceThicknessMax) << m.name;
     if (m.coatNormalTexture.present()) {
       EXPECT_EQ(m.coatNormalScale, n.coatNormalScale) << m.name;
     }
@@ -260,6 +266,16 @@ Scene makeEverything() {
   m.sheenColorTexture = makeSlot(0);
   m.sheenRoughnessTexture = makeSlot(1, {3, 0, 0, 0, 3, 0});
   m.coatNormalTexture.texCoord = m.sheenRoughnessTexture.texCoord = 1;
+  m.anisotropy = 0.65f;
+  m.anisotropyRotation = -2.2f;
+  m.iridescence = 0.85f;
+  m.iridescenceIor = 1.9f;
+  m.iridescenceThicknessMin = 123.4f;
+  m.iridescenceThicknessMax = 567.8f;
+  m.anisotropyTexture = makeSlot(2, scenes::uvTransform({0.3, 0.1}, 0, {2, 2}));
+  m.iridescenceTexture = makeSlot(0, scenes::uvTransform({0, 0}, 2, {3, 1}));
+  m.iridescenceThicknessTexture = makeSlot(1);
+  m.anisotropyTexture.texCoord = m.iridescenceThicknessTexture.texCoord = 1;
   using scenes::Filter, scenes::Wrap;
   m.baseColorTexture.sampler = {Wrap::mirroredRepeat, Wrap::clampToEdge, Filter::nearest,
                                 Filter::linear,       Filter::nearest,   true};
@@ -334,17 +350,18 @@ TEST(ExportGlb, WritesWhatTheSpecificationAsksFor) {
   EXPECT_EQ(position["max"], json({1.1f, 1.3f, 0.f}));
   EXPECT_EQ(position["min"], json({0.f, 0.f, -0.7f}));
   for (const json& view : file["bufferViews"]) EXPECT_EQ(view.value("byteOffset", 0) % 4, 0);
-  const json used = {"KHR_lights_punctual", "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-                     "KHR_materials_ior",   "KHR_materials_sheen",     "KHR_materials_specular",
-                     "KHR_materials_unlit", "KHR_texture_transform"};
+  const json used = {
+      "KHR_lights_punctual", "KHR_materials_anisotropy",  "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
+      "KHR_materials_ior",   "KHR_materials_iridescence", "KHR_materials_sheen",     "KHR_materials_specular",
+      "KHR_materials_unlit", "KHR_texture_transform"};
   EXPECT_EQ(file["extensionsUsed"], used);
   for (const json& light : file["extensions"]["KHR_lights_punctual"]["lights"])
     for (const json& channel : light["color"]) EXPECT_LE(channel, 1.0);
   EXPECT_FALSE(file["cameras"][0]["perspective"].contains("zfar")) << "an infinite one has none";
   for (const json& material : file["materials"])
     for (const json& channel : material.value("emissiveFactor", json::array())) EXPECT_LE(channel, 1.0);
-  EXPECT_FALSE(file["materials"][1]["extensions"].contains("KHR_materials_clearcoat")) << "it has none";
-  EXPECT_FALSE(file["materials"][1]["extensions"].contains("KHR_materials_sheen")) << "it has none";
+  for (const char* lobe : {"clearcoat", "sheen", "anisotropy", "iridescence"})
+    EXPECT_FALSE(file["materials"][1]["extensions"].contains(std::string("KHR_materials_") + lobe)) << "it has none";
   EXPECT_EQ(file["images"].size(), 3u);
   EXPECT_EQ(file["images"][0]["mimeType"], "image/png");
   EXPECT_FALSE(file["nodes"][1].contains("matrix")) << "the identity is the default";

@@ -3,7 +3,7 @@
 
 #include "scenes/builtin/material_balls.h"
 #include "scenes/gltf/expect_refused.h"
-#include "scenes/gltf/gltf_writer.h"
+#include "scenes/gltf/lobed_quad.h"
 #include "scenes/load.h"
 #include "scenes/scene_info.h"
 
@@ -16,20 +16,6 @@ using scenes::Scene;
 using scenes::TextureSlot;
 
 constexpr const char *kCoat = "KHR_materials_clearcoat", *kSheen = "KHR_materials_sheen";
-
-// A quad with two uv sets; image i of five is 4 + i texels wide, and texture i shows it.
-GltfFile makeLobed() {
-  GltfFile file = makeQuad();
-  file.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
-  for (int i = 0; i < 5; ++i) {
-    file.json["images"].push_back({{"bufferView", file.addBufferView(makePng(4 + i, 2))}, {"mimeType", "image/png"}});
-    file.json["textures"].push_back({{"source", i}, {"sampler", 0}});
-  }
-  file.primitive()["attributes"]["TEXCOORD_1"] = file.add<float>({0, 0, 0, 1, 1, 1, 1, 0}, "VEC2"); // across
-  return file;
-}
-
-json textured(int texture, int texCoord = 0) { return {{"index", texture}, {"texCoord", texCoord}}; }
 
 // Every member of both extensions, each texture with an image of its own.
 json makeExtensions() {
@@ -48,16 +34,6 @@ json makeExtensions() {
             {"sheenColorTexture", textured(3)},
             {"sheenRoughnessFactor", 0.4},
             {"sheenRoughnessTexture", textured(4, 1)}}}};
-}
-
-Scene loadWithExtensions(const json& extensions) {
-  GltfFile file = makeLobed();
-  file.material()["extensions"] = extensions;
-  return loadQuadlike(file);
-}
-
-int widthOf(const Scene& scene, const TextureSlot& slot) {
-  return slot.present() ? scene.images.at(static_cast<std::size_t>(slot.image)).pixels.width : 0;
 }
 
 std::size_t countTextures(const Material& m) {
@@ -234,7 +210,7 @@ TEST(GltfLobes, CountAmongTheUvSetsOfTheirMaterial) {
   EXPECT_EQ(scene.materials[0].notModelled.size(), 1u);
   file.primitive()["attributes"].erase("TEXCOORD_4");
   EXPECT_TRUE(hasWarning(loadQuadlike(file).warnings,
-                         "the clearcoatTexture of material 'material 0' needs TEXCOORD_4, which the mesh lacks"));
+                         "the clearcoatTexture of material 'paint' needs TEXCOORD_4, which the mesh lacks"));
 }
 
 TEST(GltfLobes, AreInTheWordsAboutTheScene) {

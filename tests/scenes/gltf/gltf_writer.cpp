@@ -88,9 +88,9 @@ std::string writeEmbedded(const TempFolder& folder, GltfFile file, const std::st
 }
 
 std::vector<std::byte> makeGlb(const GltfFile& file) {
-  nlohmann::json json = file.json;
-  json["buffers"] = {{{"byteLength", file.bin.size()}}};
-  std::string text = json.dump();
+  nlohmann::json document = file.json;
+  document["buffers"] = {{{"byteLength", file.bin.size()}}};
+  std::string text = document.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   std::vector<std::byte> binary = file.bin;
   binary.resize((binary.size() + 3) / 4 * 4);

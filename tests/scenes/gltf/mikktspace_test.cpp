@@ -36,8 +36,8 @@ template <typename Vec> std::vector<Vec> vectors(const nlohmann::json& numbers) 
 std::vector<Golden> readGolden() {
   const auto file = std::filesystem::path(PARITY_SOURCE_DIR) / "tests/scenes/data/mikktspace_golden.json";
   std::vector<Golden> all;
-  const nlohmann::json json = nlohmann::json::parse(base::readText(file));
-  for (const auto& mesh : json["meshes"]) {
+  const nlohmann::json golden = nlohmann::json::parse(base::readText(file));
+  for (const auto& mesh : golden["meshes"]) {
     all.push_back({mesh["name"], vectors<glm::vec3>(mesh["positions"]), vectors<glm::vec3>(mesh["normals"]),
                    vectors<glm::vec2>(mesh["uv"]), mesh["indices"], vectors<glm::vec4>(mesh["tangents"])});
     for (glm::vec4& t : all.back().tangents) t.w = -t.w;

@@ -110,5 +110,29 @@ TEST_F(StressRenders, RandomScenesHaveCoatsAndSheensWithTextures) {
   EXPECT_GT(textures, 3u);
 }
 
+TEST_F(StressRenders, RandomScenesHaveAnisotropyAndThinFilmsWithTextures) {
+  std::size_t anisotropies = 0, films = 0, noFilms = 0, textures = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const StressScene s = randomScene(seed);
+    for (const scenes::Mesh& mesh : s.scene.meshes) {
+      const scenes::Material& m = s.scene.materials[mesh.material];
+      anisotropies += m.hasAnisotropy();
+      films += m.hasIridescence();
+      noFilms += m.iridescence > 0 && m.iridescenceThicknessMax == 0;
+      const bool isFilmRead = m.iridescenceTexture.present() || m.iridescenceThicknessTexture.present();
+      textures += m.anisotropyTexture.present() || isFilmRead;
+      EXPECT_TRUE(!m.anisotropyTexture.present() || m.hasAnisotropy()) << "as the loader leaves it";
+      EXPECT_TRUE(!isFilmRead || m.hasIridescence()) << "as the loader leaves it";
+      if (m.hasAnisotropy()) {
+        EXPECT_EQ(mesh.tangents.size(), mesh.positions.size());
+      }
+    }
+  }
+  EXPECT_GT(anisotropies, 10u);
+  EXPECT_GT(films, 10u);
+  EXPECT_GT(noFilms, 0u);
+  EXPECT_GT(textures, 3u);
+}
+
 } // namespace
 } // namespace parity::tests

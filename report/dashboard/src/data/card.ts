@@ -17,7 +17,13 @@ const kTitles: Record<CardInput["name"], string> = {
   coatNormal: "Clear coat normal",
   sheenColor: "Sheen colour",
   sheenRoughness: "Sheen roughness",
+  anisotropy: "Anisotropy",
+  anisotropyRotation: "Anisotropy rotation",
+  iridescence: "Iridescence",
+  iridescenceIor: "Thin film index of refraction",
+  iridescenceThickness: "Thin film thickness",
 };
+const kUnits: Partial<Record<CardInput["name"], string>> = { anisotropyRotation: " rad", iridescenceThickness: " nm" };
 const kDefaultF0 = 0.04;
 const kColors: readonly CardInput["name"][] = ["baseColor", "emissive", "specularColor", "sheenColor"];
 
@@ -33,6 +39,10 @@ export function titleOf(input: CardInput): string {
 /** Up to three digits after the point, without zeros at the end. */
 export function short(value: number): string {
   return String(Number(value.toFixed(3)));
+}
+
+function withUnit(input: CardInput, value: number): string {
+  return `${short(value)}${kUnits[input.name] ?? ""}`;
 }
 
 /** "#8a6f54" of a linear colour; what is above white is cut off. */
@@ -58,7 +68,7 @@ const isWhite = (value: readonly number[]): boolean => value.every((each) => eac
 function valueWords(input: CardInput): string[] {
   if (input.name === "emissive") return [`${input.value.map(short).join(", ")} (linear)`];
   if (isColor(input)) return [hexOf(input.value), `linear ${input.value.map(short).join(", ")}`];
-  return [short(input.value[0] ?? 0)];
+  return [withUnit(input, input.value[0] ?? 0)];
 }
 
 /** "sRGB R 12–250, G 3–240, B 0–200", of 255. */
@@ -76,12 +86,15 @@ function rangeWords(input: CardInput, texture: CardTexture): string[] {
     return isSame ? [`${mean.map(short).join(", ")} everywhere (linear)`] : [`up to ${short(brightest)}, mean ${mean.map(short).join(", ")} (linear)`];
   }
   if (isColor(input)) return isSame ? [`${hexOf(mean)} everywhere`] : [`mean ${hexOf(mean)}`, channelRanges(texture)];
-  return isSame ? [`${short(mean[0] ?? 0)} everywhere`] : [`${short(least[0] ?? 0)} to ${short(most[0] ?? 0)}`, `mean ${short(mean[0] ?? 0)}`];
+  const range = isSame ? `${withUnit(input, mean[0] ?? 0)} everywhere` : `${short(least[0] ?? 0)} to ${withUnit(input, most[0] ?? 0)}`;
+  return isSame ? [range] : [range, `mean ${withUnit(input, mean[0] ?? 0)}`];
 }
 
 /** What the factor of a texture adds; "" where it changes nothing. */
 function factorWords(input: CardInput): string {
   if (input.name === "normal" || input.name === "coatNormal") return `scale ${short(input.value[0] ?? 0)}`;
+  if (input.name === "anisotropyRotation") return input.value[0] === 0 ? "" : `turned by ${withUnit(input, input.value[0] ?? 0)}`;
+  if (input.name === "iridescenceThickness") return ""; // its range says both ends
   if (isWhite(input.value)) return "";
   if (input.name === "occlusion") return `strength ${short(input.value[0] ?? 0)}`;
   return `texture × ${input.value.length === 3 ? `(${input.value.map(short).join(", ")})` : short(input.value[0] ?? 0)}`;

@@ -156,7 +156,7 @@ export interface MaterialCard {
 }
 
 export interface CardInput {
-  name: "baseColor" | "opacity" | "metallic" | "roughness" | "normal" | "occlusion" | "emissive" | "specular" | "specularColor" | "coat" | "coatRoughness" | "coatNormal" | "sheenColor" | "sheenRoughness";
+  name: "baseColor" | "opacity" | "metallic" | "roughness" | "normal" | "occlusion" | "emissive" | "specular" | "specularColor" | "coat" | "coatRoughness" | "coatNormal" | "sheenColor" | "sheenRoughness" | "anisotropy" | "anisotropyRotation" | "iridescence" | "iridescenceIor" | "iridescenceThickness";
   value: number[]; // Linear colour or number; the factor if there is a texture
   texture?: CardTexture; // absent: none
 }

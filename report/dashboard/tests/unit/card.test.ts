@@ -30,6 +30,11 @@ describe("a material's card", () => {
     expect(titleOf(input("specularColor", [1, 1, 1]))).toBe("Specular colour");
     expect(inputLines(input("sheenColor", [1, 0.2158605, 0]))).toEqual(["#ff8000", "linear 1, 0.216, 0"]);
     expect(titleOf(input("coatRoughness", [0.5]))).toBe("Clear coat roughness");
+    expect(titleOf(input("iridescenceThickness", [400]))).toBe("Thin film thickness");
+    expect(inputLines(input("iridescenceThickness", [400]))).toEqual(["400 nm"]);
+    expect(inputLines(input("iridescenceIor", [1.3]))).toEqual(["1.3"]);
+    expect(inputLines(input("anisotropy", [0.8]))).toEqual(["0.8"]);
+    expect(inputLines(input("anisotropyRotation", [0.7853982]))).toEqual(["0.785 rad"]);
   });
 
   it("says the range of a texture, and its factor only where it is not 1", () => {
@@ -39,6 +44,10 @@ describe("a material's card", () => {
     expect(inputLines(input("occlusion", [0.5], {})).at(-1)).toBe("strength 0.5");
     expect(inputLines(input("normal", [2], { least: [], most: [], mean: [] }))).toEqual(["scale 2"]);
     expect(inputLines(input("coatNormal", [1], { least: [], most: [], mean: [] }))).toEqual(["scale 1"]);
+    expect(inputLines(input("anisotropyRotation", [-0.5], { least: [], most: [], mean: [] }))).toEqual(["turned by -0.5 rad"]);
+    expect(inputLines(input("anisotropyRotation", [0], { least: [], most: [], mean: [] }))).toEqual([]);
+    expect(inputLines(input("iridescenceThickness", [400], { least: [120], most: [390], mean: [250] }))).toEqual(["120 to 390 nm", "mean 250 nm"]);
+    expect(inputLines(input("iridescenceThickness", [400], { least: [250], most: [250], mean: [250] }))).toEqual(["250 nm everywhere"]);
     const color = input("baseColor", [1, 1, 1], { channels: "rgb", least: [0, 0, 0], most: [1, 0.2158605, 1], mean: [1, 0, 0] });
     expect(inputLines(color)).toEqual(["mean #ff0000", "sRGB R 0–255, G 0–128, B 0–255"]);
     const grey = input("baseColor", [1, 1, 0.5], { channels: "rgb", least: [1, 1, 0.5], most: [1, 1, 0.5], mean: [1, 1, 0.5] });
