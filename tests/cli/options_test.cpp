@@ -52,6 +52,8 @@ const std::vector<Probe> kProbes = {
     {{"--sky-sh", "9"}},
     {{"--mobile-coat", "none"}, "lobes"},
     {{"--mobile-sheen", "fit"}, "lobes"},
+    {{"--mobile-anisotropy", "bent"}, "lobes"},
+    {{"--mobile-iridescence", "tint"}, "lobes"},
     {{"--capture", "fp16"}},
     {{"--direct-lobe", "d-approx"}, "spheres", "mobile", kSun},
     {{"--no-mobile-local-lights"}, "lamps"},

@@ -2,6 +2,8 @@
 #include "support/device.h"
 #include "support/small_scenes.h"
 
+#include <numbers>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "gpu/surface/material_pass.h"
@@ -90,22 +92,47 @@ TEST_F(MaterialPassTest, TexturesMultiplyTheirFactorsAndTurnTheNormal) {
 }
 
 // A scene without them has none, whatever the memory held before.
-TEST_F(MaterialPassTest, CoatAndSheenComeBackWhereTheSceneHasThem) {
+TEST_F(MaterialPassTest, LobesComeBackWhereTheSceneHasThem) {
   scenes::Scene plain = tests::makeQuadScene(), layered = plain;
   scenes::Material& material = layered.materials[0];
   material.coat = 0.75f, material.coatRoughness = 0.25f;
   material.sheenColor = glm::vec3(1, 0.5f, 0.25f), material.sheenRoughness = 0.5f;
+  material.anisotropy = 0.6f, material.anisotropyRotation = 0.5f;
+  material.iridescence = 0.4f, material.iridescenceIor = 1.7f, material.iridescenceThicknessMax = 350;
   for (const ResolvedMaterial& m : resolve(layered)) {
     EXPECT_EQ(m.coat, 0.75f);
     EXPECT_EQ(m.coatRoughness, 0.25f);
     EXPECT_EQ(m.coatNormal, m.normal);
     EXPECT_EQ(m.sheenColor, glm::vec3(1, 0.5f, 0.25f));
     EXPECT_EQ(m.sheenRoughness, 0.5f);
+    EXPECT_EQ(m.anisotropy, 0.6f);
+    EXPECT_NEAR(glm::dot(m.tangent, m.normal), 0, 1e-6f);
+    EXPECT_NEAR(glm::length(m.tangent), 1, 1e-6f);
+    EXPECT_EQ(m.iridescence, 0.4f);
+    EXPECT_EQ(m.filmIor, 1.7f);
+    EXPECT_EQ(m.filmThickness, 350);
   }
   for (const ResolvedMaterial& m : resolve(plain)) {
     EXPECT_EQ(m.coat, 0);
     EXPECT_EQ(m.sheenColor, glm::vec3(0));
+    EXPECT_EQ(m.anisotropy, 0);
+    EXPECT_EQ(m.iridescence, 0);
   }
+}
+
+// The direction: the mesh's tangent, turned counter-clockwise towards the bitangent, in the plane of the shading normal.
+TEST_F(MaterialPassTest, AnisotropyFollowsTheTangent) {
+  scenes::Scene scene = tests::makeQuadScene();
+  scene.materials[0].anisotropy = 1;
+  scene.materials[0].anisotropyRotation = std::numbers::pi_v<float> / 2;
+  scene.meshes[0].normals.assign(4, glm::vec3(0.6f, 0, 0.8f));
+  for (const float sign : {1.f, -1.f}) {
+    scene.meshes[0].tangents.assign(4, glm::vec4(0.8f, 0, -0.6f, sign));
+    for (const ResolvedMaterial& m : resolve(scene)) expectNear(m.tangent, {0, sign, 0}, 1e-3f, "bitangent");
+  }
+  scene.materials[0].anisotropyRotation = 0;
+  scene.meshes[0].tangents.assign(4, glm::vec4(1, 0, 0, 1)); // not at right angles to the normal
+  for (const ResolvedMaterial& m : resolve(scene)) expectNear(m.tangent, {0.8f, 0, -0.6f}, 1e-3f, "in the plane");
 }
 
 // Shading normals lean, the surface does not; a back face shows its other side.

@@ -120,15 +120,17 @@ TEST(Permutations, AreSaidInWords) {
   EXPECT_EQ(describeFeatures({0, kFeatureUnlit, kFeatureUnlit}), "unlit");
   EXPECT_EQ(describeTextures(kCoatTextures), "coat, coat roughness, coat normal");
   EXPECT_EQ(describeTextures(kSheenTextures), "sheen colour, sheen roughness");
+  EXPECT_EQ(describeTextures(kAnisotropyTextures | kIridescenceTextures), "anisotropy, iridescence, film thickness");
   EXPECT_EQ(describeFeatures({0, kFeatureCoat | kFeatureSheen, kFeatureSheen}), "some coat, sheen");
+  EXPECT_EQ(describeFeatures({0, kFeatureAnisotropy | kFeatureIridescence, kFeatureIridescence}),
+            "some anisotropy, iridescence");
 }
 
-// Of scenes without coat and sheen the shader knows neither.
+// Of scenes without further lobes the shader knows none.
 TEST(Permutations, OfEverySceneHaveLayersWhereTheirTexturesAreAmongItsOwn) {
   const std::uint32_t base = (1u << kSlotCount) - 1 - kLobeTextures;
-  EXPECT_EQ(everyScenePermutation(base).mayFeatures & (kFeatureCoat | kFeatureSheen), 0u);
-  EXPECT_EQ(everyScenePermutation(base | kLobeTextures).mayFeatures & (kFeatureCoat | kFeatureSheen),
-            kFeatureCoat | kFeatureSheen);
+  EXPECT_EQ(everyScenePermutation(base).mayFeatures & kFeatureLobes, 0u);
+  EXPECT_EQ(everyScenePermutation(base | kLobeTextures).mayFeatures & kFeatureLobes, kFeatureLobes);
 }
 
 } // namespace

@@ -42,7 +42,7 @@ scenes::Scene makeFilm(float angle, float metallic, float ior, float thickness, 
 struct Local {
   glm::dvec3 v, l, h;
   double VoH;
-  Local(float angle, float rotation, const glm::dvec3& towards) {
+  Local(double angle, double rotation, const glm::dvec3& towards) {
     const glm::dvec3 N(std::sin(angle), 0, std::cos(angle)), T0(std::cos(angle), 0, -std::sin(angle)), B0(0, 1, 0);
     const glm::dvec3 T = std::cos(rotation) * T0 + std::sin(rotation) * B0, B = glm::cross(N, T);
     const glm::dvec3 V(0, 0, 1), L = glm::normalize(towards), H = glm::normalize(V + L);
@@ -54,17 +54,15 @@ struct Local {
 TEST_F(HighendTest, TheSunOnBrushedMetalIsTheElongatedLobe) {
   const glm::vec3 towards(0.5f, 0.3f, 1), sun(2, 1, 0.5f);
   const Inputs inputs{.lights = {makeDirectional(towards, sun)}};
-  for (const float roughness : {0.f, 0.3f, 0.8f})
-    for (const float rotation : {0.f, 0.7f, kQuarterTurn}) {
-      const ShadedPoint point = shade(makeBrushed(0.3f, 0.8f, rotation, roughness), inputs, kPlain);
-      const Local at(0.3f, rotation, towards);
-      const double alpha = std::pow(std::max<double>(roughness, 0.015625), 2),
-                   along = f64::anisotropicAlpha(alpha, 0.8);
-      const double D = f64::D_GGXAnisotropic(along, alpha, at.h.x, at.h.y, at.h.z),
-                   V = f64::V_SmithGGXAnisotropic(along, alpha, at.v.x, at.v.y, at.v.z, at.l.x, at.l.y, at.l.z);
-      const glm::dvec3 F0(0.9, 0.6, 0.4), F = F0 + (1.0 - F0) * std::pow(1 - at.VoH, 5);
-      expectNear(point[Term::sunSpecular], glm::vec3(D * V * at.l.z * F * glm::dvec3(sun)), 1e-3f, "sun");
-    }
+  for (const auto& [roughness, rotation] : {std::pair{0.f, 0.7f}, {0.3f, 0.f}, {0.3f, kQuarterTurn}, {0.8f, 0.7f}}) {
+    const ShadedPoint point = shade(makeBrushed(0.3f, 0.8f, rotation, roughness), inputs, kPlain);
+    const Local at(0.3f, rotation, towards);
+    const double alpha = std::pow(std::max<double>(roughness, 0.015625), 2), along = f64::anisotropicAlpha(alpha, 0.8);
+    const double D = f64::D_GGXAnisotropic(along, alpha, at.h.x, at.h.y, at.h.z),
+                 V = f64::V_SmithGGXAnisotropic(along, alpha, at.v.x, at.v.y, at.v.z, at.l.x, at.l.y, at.l.z);
+    const glm::dvec3 F0(0.9, 0.6, 0.4), F = F0 + (1.0 - F0) * std::pow(1 - at.VoH, 5);
+    expectNear(point[Term::sunSpecular], glm::vec3(D * V * at.l.z * F * glm::dvec3(sun)), 1e-3f, "sun");
+  }
 }
 
 TEST_F(HighendTest, TheSunOnAFilmIsReflectedByItsFresnel) {
@@ -84,23 +82,21 @@ TEST_F(HighendTest, AWhiteFurnaceStaysWhiteForMicrofacetsToo) {
   const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);
   const base::Image lut = makeEnvBrdfLut(GeometryTerm::heightCorrelated);
   const Inputs inputs{.environment = &sky, .lut = &lut};
-  for (const float angle : {0.f, 0.8f, 1.3f})
-    for (const float strength : {0.f, 0.5f, 1.f})
-      for (const float film : {0.f, 400.f})
-        for (const float metallic : {0.f, 1.f})
-          for (const float roughness : {0.1f, 0.5f, 1.f}) {
-            if (strength == 0 && film == 0) continue;
-            scenes::Scene scene = makeFilm(angle, metallic, 1.5f, film, roughness);
-            scenes::Material& m = scene.materials[0];
-            m.baseColor = glm::vec4(1);
-            m.anisotropy = strength;
-            m.anisotropyRotation = 0.4f;
-            if (film == 0) m.iridescence = 0;
-            const glm::vec3 color = shade(scene, inputs).color;
-            for (int k = 0; k < 3; ++k)
-              EXPECT_NEAR(color[k], 1, 0.01f)
-                  << angle << " " << strength << " " << film << " " << metallic << " " << roughness;
-          }
+  for (const float angle : {0.2f, 1.3f})
+    for (const auto& [strength, film] : {std::pair{0.f, 400.f}, {0.7f, 0.f}, {1.f, 400.f}})
+      for (const float metallic : {0.f, 1.f})
+        for (const float roughness : {0.1f, 0.7f}) {
+          scenes::Scene scene = makeFilm(angle, metallic, 1.5f, film, roughness);
+          scenes::Material& m = scene.materials[0];
+          m.baseColor = glm::vec4(1);
+          m.anisotropy = strength;
+          m.anisotropyRotation = 0.4f;
+          if (film == 0) m.iridescence = 0;
+          const glm::vec3 color = shade(scene, inputs).color;
+          for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(color[k], 1, 0.01f)
+                << angle << " " << strength << " " << film << " " << metallic << " " << roughness;
+        }
 }
 
 // Of even light the sum over directions reflects the lobe's albedo: Monte Carlo over half vectors, in double.
@@ -149,7 +145,8 @@ TEST_F(HighendTest, TexturesOfMicrofacetsAreTheirFactors) {
   plain.materials[0].anisotropy = 0.9f * 204 / 255;
   plain.materials[0].anisotropyRotation = kQuarterTurn;
   plain.materials[0].iridescence = 128.f / 255;
-  expectNear(shade(textured, inputs)[Term::sunSpecular], shade(plain, inputs)[Term::sunSpecular], 5e-3f, "direction");
+  expectNear(shade(textured, inputs)[Term::sunSpecular], shade(plain, inputs)[Term::sunSpecular], 0.01f,
+             "direction, which bytes hold to half a degree");
   m.iridescenceThicknessTexture.image = 0;
   m.anisotropyTexture.image = m.iridescenceTexture.image = -1;
   textured.images[0].pixels.pixels.assign(16, 51);

@@ -41,12 +41,12 @@ scenes::Scene makeMetal(float angle, float anisotropy, float iridescence) {
   return scene;
 }
 
-const glm::vec3 kTowards(0.4f, 0.2f, 1);
+const glm::vec3 kTowardsSun(0.4f, 0.2f, 1);
 
 // The specular colour under the film takes the place of the base's.
 TEST_F(MobileMicrofacetsTest, AFilmIsATintOfTheSpecularColour) {
   const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);
-  const Inputs inputs{.environment = &sky, .lights = {makeDirectional(kTowards, glm::vec3(2))}};
+  const Inputs inputs{.environment = &sky, .lights = {makeDirectional(kTowardsSun, glm::vec3(2))}};
   for (const char* preset : {"ue4-2020", "refit"}) {
     Options options = tests::inFp32(preset);
     options.iridescence = IridescenceForm::tint;
@@ -97,10 +97,10 @@ TEST_F(MobileMicrofacetsTest, TheEnvironmentIsReadAboutTheBentNormal) {
 
 TEST_F(MobileMicrofacetsTest, TheSunIsReflectedByTheElongatedLobe) {
   const glm::vec3 sun(2, 1, 0.5f);
-  const Inputs inputs{.lights = {makeDirectional(kTowards, sun)}};
+  const Inputs inputs{.lights = {makeDirectional(kTowardsSun, sun)}};
   const glm::dvec3 N(std::sin(0.3), 0, std::cos(0.3)), T(std::cos(0.3), 0, -std::sin(0.3)), V(0, 0, 1);
-  const glm::dvec3 H = glm::normalize(V + glm::normalize(glm::dvec3(kTowards)));
-  const tests::QuadCosines c(0.3f, kTowards);
+  const glm::dvec3 H = glm::normalize(V + glm::normalize(glm::dvec3(kTowardsSun)));
+  const tests::QuadCosines c(0.3f, kTowardsSun);
   const f64::MobileAnisotropy a = f64::mobileAnisotropy(0.4, 0.8);
   const double sin2 = f64::squeezedSin2(glm::dot(T, H), H.y, a.squeeze);
   const f64::RefitLobe lobe = f64::refitLobe({0.8, 0.5, 0.3}, 1, a.Roughness, c.NoV);
@@ -120,7 +120,7 @@ TEST_F(MobileMicrofacetsTest, TheSunIsReflectedByTheElongatedLobe) {
 
 TEST_F(MobileMicrofacetsTest, WhatAPresetLeavesOutIsTheRoundBareLobe) {
   const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);
-  const Inputs inputs{.environment = &sky, .lights = {makeDirectional(kTowards, glm::vec3(2))}};
+  const Inputs inputs{.environment = &sky, .lights = {makeDirectional(kTowardsSun, glm::vec3(2))}};
   for (const char* preset : {"karis2014", "ue4-2020"})
     EXPECT_EQ(shade(makeMetal(0.6f, 0.9f, 1), inputs, tests::inFp32(preset)).color,
               shade(makeMetal(0.6f, 0, 0), inputs, tests::inFp32(preset)).color)
@@ -133,23 +133,21 @@ TEST_F(MobileMicrofacetsTest, WhatAPresetLeavesOutIsTheRoundBareLobe) {
 // In half, too: the terms add up, and no corner is NaN or infinite.
 TEST_F(MobileMicrofacetsTest, CornersAreFiniteAndTermsAddUp) {
   const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 2);
-  const Inputs inputs{.environment = &sky, .lights = {makeDirectional(kTowards, glm::vec3(2))}};
+  const Inputs inputs{.environment = &sky, .lights = {makeDirectional(kTowardsSun, glm::vec3(2))}};
   for (const char* preset : {"karis2014", "ue4-2020", "refit"})
-    for (const float roughness : {0.f, 0.1f, 1.f})
-      for (const float angle : {0.f, 1.5f}) {
-        Options options = tests::inFp32(preset);
-        options.precision = Precision::fp16;
-        options.anisotropy = AnisotropyForm::bent, options.iridescence = IridescenceForm::tint;
-        if (options.preset == "karis2014" && roughness == 0)
-          continue; // D_Approx itself is NaN there (docs/shading.md 4)
-        scenes::Scene scene = makeMetal(angle, 1, 1);
-        scene.materials[0].roughness = roughness;
-        const ShadedPoint point = shade(scene, inputs, options);
-        glm::vec3 sum(0);
-        for (const glm::vec3& term : point.terms) sum += term;
-        for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(point.color[k])) << preset << " " << roughness;
-        expectNear(sum, point.color, 5e-3f, preset);
-      }
+    for (const auto& [roughness, angle] : {std::pair{0.f, 1.5f}, {0.1f, 0.f}, {1.f, 1.5f}}) {
+      Options options = tests::inFp32(preset);
+      options.precision = Precision::fp16;
+      options.anisotropy = AnisotropyForm::bent, options.iridescence = IridescenceForm::tint;
+      if (options.preset == "karis2014" && roughness == 0) continue; // D_Approx itself is NaN there (docs/shading.md 4)
+      scenes::Scene scene = makeMetal(angle, 1, 1);
+      scene.materials[0].roughness = roughness;
+      const ShadedPoint point = shade(scene, inputs, options);
+      glm::vec3 sum(0);
+      for (const glm::vec3& term : point.terms) sum += term;
+      for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(point.color[k])) << preset << " " << roughness;
+      expectNear(sum, point.color, 5e-3f, preset);
+    }
 }
 
 } // namespace

@@ -51,7 +51,7 @@ TEST(SamplerRule, CountsAPairOfImageAndSamplerOnce) {
   EXPECT_EQ(countSamplers(m, {}), 5u);
 }
 
-// Of coat and sheen only what the preset reads counts.
+// Of further lobes only what the preset reads counts.
 TEST(SamplerRule, TexturesOfLayersCountWhereThePresetReadsThem) {
   scenes::Material m;
   m.coat = 1;
@@ -65,8 +65,16 @@ TEST(SamplerRule, TexturesOfLayersCountWhereThePresetReadsThem) {
   EXPECT_EQ(countSamplers(m, {.coat = true, .coatNormal = true}), 3u);
   EXPECT_EQ(countSamplers(m, {.sheen = true}), 2u);
   EXPECT_EQ(countSamplers(m, {.coat = true, .sheen = true, .coatNormal = true}), 5u);
+  m.anisotropy = m.iridescence = 1;
+  for (scenes::TextureSlot* slot : {&m.anisotropyTexture, &m.iridescenceTexture, &m.iridescenceThicknessTexture})
+    slot->image = image++;
+  EXPECT_EQ(countSamplers(m, {}), 0u);
+  EXPECT_EQ(countSamplers(m, {.anisotropy = true}), 1u);
+  EXPECT_EQ(countSamplers(m, {.iridescence = true}), 2u);
+  const SamplerInputs all{.coat = true, .sheen = true, .anisotropy = true, .iridescence = true, .coatNormal = true};
+  EXPECT_EQ(countSamplers(m, all), 8u);
   m.fullyRough = true;
-  EXPECT_EQ(countSamplers(m, {.coat = true, .sheen = true, .coatNormal = true}), 0u);
+  EXPECT_EQ(countSamplers(m, all), 0u);
 }
 
 TEST(SamplerRule, ANormalMapWithItsSpreadIsAViewOfItsOwn) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -193,22 +194,22 @@ TEST(LuminanceUE4, HasTheEnginesWeights) {
 }
 
 TEST(LocalLightAt, AttenuatesBySquareWindowConeAndPi) {
-  const double pi = 3.14159265358979324, cosInner = std::cos(0.3), cosOuter = std::cos(0.5);
+  const double cosInner = std::cos(0.3), cosOuter = std::cos(0.5);
   const auto light = f64::localLightAt(f64::kFalloffUE4, {0, 0, 2}, {10, 20, 30}, 4, 0, true,
                                        {std::sin(0.4), 0, -std::cos(0.4)}, cosInner, cosOuter);
   EXPECT_EQ(light.L.z, 1);
   const double window = 1 - std::pow(0.5, 4), cone = (std::cos(0.4) - cosOuter) / (cosInner - cosOuter);
-  EXPECT_NEAR(light.color.y, 20 / pi * window * window / 4.0001 * cone * cone, 1e-12);
+  EXPECT_NEAR(light.color.y, 20 / std::numbers::pi * window * window / 4.0001 * cone * cone, 1e-12);
   EXPECT_NEAR(f64::localLightAt(f64::kFalloffUE4, {0, 0, 2}, {10, 20, 30}, 0, 0, false, {0, 0, -1}, 0, 0).color.x,
-              10 / pi / 4.0001, 1e-12);
+              10 / std::numbers::pi / 4.0001, 1e-12);
   EXPECT_EQ(f64::localLightAt(f64::kFalloffUE4, {0, 0, 5}, {10, 20, 30}, 4, 0, false, {0, 0, -1}, 0, 0).color.x, 0)
       << "out of range";
   const auto at = f64::localLightAt(f64::kFalloffUE4, {0, 0, 0}, {1, 1, 1}, 0, 0, false, {0, 0, -1}, 0, 0);
   EXPECT_NEAR(f64::localLightAt(f64::kFalloffKhr, {0, 0, 2}, {10, 20, 30}, 4, 0, false, {0, 0, -1}, 0, 0).color.x,
-              10 / pi * window / 4, 1e-12)
+              10 / std::numbers::pi * window / 4, 1e-12)
       << "as KHR_lights_punctual";
   EXPECT_EQ(at.L.z, 1) << "at the light itself: from its axis";
-  EXPECT_NEAR(at.color.x, 1e4 / pi, 1e-6);
+  EXPECT_NEAR(at.color.x, 1e4 / std::numbers::pi, 1e-6);
 }
 
 } // namespace

@@ -46,7 +46,14 @@ TEST_F(DroppedLobesTest, AreMeasuredForTheMaterialsThatHaveThem) {
   EXPECT_EQ(sheen[0]["lobe"], "sheen");
   EXPECT_GT(sheen[0]["flip"], 0.5) << "a white sheen over black is nearly all of its light";
   EXPECT_EQ(both.size(), 2u);
-  EXPECT_EQ(passOf(scene, "dropped lobes")["count"], 2);
+  const json brushed = lobesOf(scene, "anisotropy 0.2"), film = lobesOf(scene, "film 0.2");
+  ASSERT_EQ(brushed.size(), 1u);
+  EXPECT_EQ(brushed[0]["lobe"], "anisotropy");
+  EXPECT_GT(brushed[0]["flip"], 0.02);
+  ASSERT_EQ(film.size(), 1u);
+  EXPECT_EQ(film[0]["lobe"], "iridescence");
+  EXPECT_GT(film[0]["flip"], 0.05);
+  EXPECT_EQ(passOf(scene, "dropped lobes")["count"], 4);
   EXPECT_TRUE(contains(m_text, "mobile drops the clear coat (FLIP ")) << m_text;
 }
 
@@ -54,7 +61,7 @@ TEST_F(DroppedLobesTest, AreNoneWhereThePresetHasTheLobe) {
   const json scene = report({"--mobile-preset", "ue4-2020"});
   EXPECT_EQ(lobesOf(scene, "coat 0.0").size(), 0u) << "the engine has a coat";
   EXPECT_EQ(lobesOf(scene, "sheen 1.0").size(), 1u) << "and no sheen";
-  EXPECT_EQ(passOf(scene, "dropped lobes")["count"], 1);
+  EXPECT_EQ(passOf(scene, "dropped lobes")["count"], 3);
 }
 
 TEST_F(DroppedLobesTest, AreNotMeasuredWhereTheRunAsksForNone) {
