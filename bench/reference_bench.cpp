@@ -36,8 +36,8 @@ const Sky& skyOf(const std::string& file) {
   return skies.emplace(file, std::move(sky)).first->second;
 }
 
-enum Kind { kAll, kMetal, kPlastic, kCoated, kCloth, kLayered };
-constexpr const char* kKindNames[] = {"all", "metal", "plastic", "coated", "cloth", "layered"};
+enum Kind { kAll, kMetal, kPlastic, kCoated, kCloth, kLayered, kBrushed, kFilm, kKinds };
+constexpr const char* kKindNames[kKinds] = {"all", "metal", "plastic", "coated", "cloth", "layered", "brushed", "film"};
 
 // Pixels of balls seen from +Z: the visible half evenly as it covers the picture, roughness 0.05 .. 1.
 std::vector<SurfaceSample> makePixels(Kind kind, int count) {
@@ -55,6 +55,14 @@ std::vector<SurfaceSample> makePixels(Kind kind, int count) {
     s.sheenRoughness = 0.07f + 0.93f * static_cast<float>(i * 9 % 20) / 19.f;
     if (kind == kCoated || kind == kLayered) s.coat = 1;
     if (kind == kCloth || kind == kLayered) s.sheenColor = {0.8f, 0.5f, 0.3f};
+    if (kind == kBrushed) {
+      s.anisotropy = 0.2f + 0.8f * static_cast<float>(i * 11 % 20) / 19.f;
+      s.tangent = glm::normalize(glm::cross(glm::vec3(0, 1, 0), s.normal));
+    }
+    if (kind == kFilm) {
+      s.iridescence = 1;
+      s.filmThickness = 100 + 500 * static_cast<float>(i * 11 % 20) / 19.f;
+    }
     s.baseColor = s.metallic > 0 ? glm::vec3(1.f, 0.77f, 0.34f) : glm::vec3(0.5f, 0.5f, 0.6f);
     pixels.push_back(s);
   }
@@ -129,7 +137,8 @@ std::vector<std::string> environments() {
 int main(int argc, char** argv) {
   for (const std::string& file : environments()) {
     const std::string name = std::filesystem::path(file).stem().string();
-    for (const Kind kind : {kAll, kMetal, kPlastic, kCoated, kCloth, kLayered}) {
+    for (int k = 0; k < kKinds; ++k) {
+      const auto kind = static_cast<Kind>(k);
       benchmark::RegisterBenchmark(fmt::format("atHalfAPercent/{}/{}", name, kKindNames[kind]).c_str(),
                                    [=](benchmark::State& state) { atHalfAPercent(state, file, kind); })
           ->Unit(benchmark::kMillisecond);

@@ -86,10 +86,9 @@ public:
       return Onward{m_reflection.mirrorDirection(), m_reflection.mirrorReflectance() / m_specularShare, 0};
     glm::dvec3 local;
     if (specular) {
-      const glm::dvec3 view = m_reflection.view(), h = sampleVisibleNormal(m_lobes.alpha(), view, glm::dvec2(u));
-      local = 2 * glm::dot(view, h) * h - view;
-      if (!(local.z > 0)) return std::nullopt;
-      local = m_reflection.foldUp(local);
+      const auto light = m_lobes.sampleSpecular(m_reflection.view(), glm::dvec2(u));
+      if (!light) return std::nullopt;
+      local = m_reflection.foldUp(*light);
     } else {
       local = sampleCosine(glm::dvec2(u));
     }

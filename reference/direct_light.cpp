@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/reflection.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
@@ -51,8 +52,12 @@ DirectLight shadeDirect(const SurfaceSample& sample, const std::vector<scenes::L
   if (lights.empty()) return sum;
   const glm::dvec3 N = glm::normalize(glm::dvec3(sample.normal)), V = glm::normalize(glm::dvec3(sample.view));
   const double NoV = std::clamp(glm::dot(N, V), kMinNoV, 1.0);
-  const LobeView atView = lobes.viewAt(NoV);
+  // Stretched lobes need vectors, others cosines alone.
+  const Frame frame = frameOf(sample, lobes);
+  const glm::dvec3 view = visibleView(frame.toLocal(V));
+  const LobeView atView = lobes.isStretched() ? lobes.viewAt(view) : lobes.viewAt(NoV);
   const auto evaluate = [&](const glm::dvec3& L) {
+    if (lobes.isStretched()) return lobes.evaluate(view, frame.toLocal(L), atView);
     const glm::dvec3 H = safeNormalize(V + L, N); // V = -L: the normal
     return lobes.evaluate(NoV, f64::saturate(glm::dot(N, L)), f64::saturate(glm::dot(N, H)),
                           f64::saturate(glm::dot(V, H)), atView);

@@ -26,9 +26,12 @@ public:
   EnvironmentIntegrator(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
                         std::uint32_t seed, const lighting::Visibility* visibility)
       : m_lobes(lobes), m_environment(environment), m_fromHere(visibility, sample), m_isShadowed(visibility != nullptr),
-        m_normal(glm::normalize(glm::dvec3(sample.normal))), m_frame(environment.toPanorama(m_normal)),
+        m_normal(glm::normalize(glm::dvec3(sample.normal))),
+        m_frame(lobes.isStretched()
+                    ? Frame(environment.toPanorama(m_normal), environment.toPanorama(glm::dvec3(sample.tangent)))
+                    : Frame(environment.toPanorama(m_normal))),
         m_view(visibleView(m_frame.toLocal(environment.toPanorama(glm::normalize(glm::dvec3(sample.view)))))),
-        m_viewInPanorama(m_frame.toWorld(m_view)), m_atView(lobes.viewAt(m_view.z)),
+        m_viewInPanorama(m_frame.toWorld(m_view)), m_atView(lobes.viewAt(m_view)),
         m_isGlossy(lobes.hasSpecular() && !lobes.isMirror()), m_seed(hashCombine(sample.pixel, seed)) {
     // A smaller share is as well sampled with the rest.
     constexpr double kWorthIrradiance = 0.03;
@@ -56,8 +59,16 @@ public:
   // besides: what is in closed form, and other layers.
   void prepareSampling(const glm::dvec3& besides) {
     ProductLobe lobe{.normal = m_frame.z, .view = m_frame.toWorld(m_view), .alpha = m_lobes.alpha()};
+    if (m_lobes.isStretched()) m_axes = m_lobes.stretchedAxes(m_frame.x, m_frame.y);
+    lobe.stretched = m_axes;
     lobe.sheen = m_lobes.sheen();
-    if (m_isGlossy && !lobe.sheen) lobe.F0 = luminanceOf(m_lobes.F0()), lobe.F90 = m_lobes.F90();
+    if (m_isGlossy && !lobe.sheen) {
+      lobe.F0 = luminanceOf(m_lobes.F0()), lobe.F90 = m_lobes.F90();
+      if (m_lobes.hasFilm()) {
+        lobe.F0 = lobe.F90 = 1; // there is a lobe, whatever the base
+        lobe.luminanceOfFilm = [&](double VoH) { return luminanceOf(m_lobes.fresnel(VoH)); };
+      }
+    }
     // Of what is in closed form about a fifth remains, either sign.
     constexpr double kRemainder = 0.2;
     const double multiple = luminanceOf(m_lobes.multipleReflectance(m_atView));
@@ -106,7 +117,7 @@ private:
   // About the specular part that is sampled.
   std::array<Float4, 3> estimateSampled(const FourDirections& directions) const {
     const glm::vec3 normal(m_frame.z), spread(m_spread);
-    std::array<Float4, 3> values = m_lobes.estimateSpecular(directions, normal, m_viewInPanorama, m_atView);
+    std::array<Float4, 3> values = m_lobes.estimateSpecular(directions, normal, m_viewInPanorama, m_atView, m_axes);
     const Float4 NoL = normal.x * directions.x + normal.y * directions.y + normal.z * directions.z;
     for (int c = 0; c < 3; ++c) values[static_cast<std::size_t>(c)] -= spread[c] * NoL;
     return values;
@@ -174,6 +185,7 @@ private:
   glm::dvec3 m_view;
   glm::vec3 m_viewInPanorama;
   LobeView m_atView;
+  std::optional<StretchedAxes> m_axes; // in the panorama's frame
   bool m_isGlossy;
   std::optional<Reflection> m_reflection; // with shadows
   bool m_folds = false;                   // part of the lobe goes below the horizon

@@ -24,6 +24,7 @@ SurfaceSample alone(const SurfaceSample& sample, LayerKind kind) {
   SurfaceSample layer = sample;
   if (kind != LayerKind::base) layer.pixel = hashCombine(sample.pixel, static_cast<std::uint32_t>(kind));
   layer.emissive = glm::vec3(0);
+  if (kind != LayerKind::base) layer.anisotropy = layer.iridescence = 0; // the base alone has them
   if (kind != LayerKind::coat) return layer;
   layer.normal = sample.coatNormal;
   layer.roughness = sample.coatRoughness;

@@ -107,11 +107,20 @@ void ProductSampler::addFour(const std::array<PanoramaBlock, 4>& blocks, const P
   if (lobe.F0 > 0 || lobe.F90 > 0) {
     const float NoV = glm::dot(normal, view), alpha2 = static_cast<float>(lobe.alpha * lobe.alpha);
     const Float4 spread = 0.5f * radius / larger(at.VoH, Float4{} + 0.05f);
-    steepness = larger(steepness, spread / squareRoot(alpha2 + at.tan2));
-    const Float4 widened = smaller(alpha2 + 0.25f * spread * spread, Float4{} + 1.f);
     const auto F0 = static_cast<float>(lobe.F0), F90 = static_cast<float>(lobe.F90);
-    reflected +=
-        (F0 + (F90 - F0) * schlickWeight(at.VoH)) * D_GGX(widened, at.tan2) * V_SmithGGXCorrelated(widened, NoV, NoL);
+    Float4 F = F0 + (F90 - F0) * schlickWeight(at.VoH);
+    if (lobe.luminanceOfFilm)
+      for (int i = 0; i < 4; ++i)
+        if (power[i] > 0) F[i] = static_cast<float>(lobe.luminanceOfFilm(std::min<double>(at.VoH[i], 1)));
+    if (lobe.stretched) {
+      const FourStretched stretched(*lobe.stretched, normal, view, middle, at, NoL, spread);
+      steepness = larger(steepness, stretched.steepness());
+      reflected += F * stretched.value;
+    } else {
+      steepness = larger(steepness, spread / squareRoot(alpha2 + at.tan2));
+      const Float4 widened = smaller(alpha2 + 0.25f * spread * spread, Float4{} + 1.f);
+      reflected += F * D_GGX(widened, at.tan2) * V_SmithGGXCorrelated(widened, NoV, NoL);
+    }
   }
   if (lobe.sheen) {
     const float NoV = glm::dot(normal, view);

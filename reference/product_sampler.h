@@ -3,10 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
 
+#include "reference/four_stretched.h"
 #include "reference/light_pyramid.h"
 #include "reference/sheen_lobe.h"
 
@@ -20,6 +23,10 @@ struct ProductLobe {
   double F0 = 0, F90 = 0;           // luminances; both 0: no GGX lobe
   double lambert = 0;               // reflectance of what is spread by the cosine
   const SheenLobe* sheen = nullptr; // null: none
+  // Of an anisotropic lobe, in place of alpha.
+  std::optional<StretchedAxes> stretched = std::nullopt;
+  // Of a film: Fresnel's reflectance; empty: Schlick's from F0 to F90.
+  std::function<double(double VoH)> luminanceOfFilm = nullptr;
 };
 
 // Sampling of a panorama by the product of its light and a lobe (after Clarberg et al. 2005, "Wavelet Importance

@@ -17,9 +17,23 @@ struct Frame {
     x = {1 + s * n.x * n.x * a, s * b, -s * n.x};
     y = {b, s + n.y * n.y * a, -n.y};
   }
+  // The axis x along t, but for what of t is along n; t = 0, or along n: as above.
+  Frame(const glm::dvec3& n, const glm::dvec3& t) : Frame(n) {
+    const glm::dvec3 side = t - glm::dot(t, n) * n;
+    const double length = glm::length(side);
+    if (!(length > 1e-9)) return;
+    x = side / length;
+    y = glm::cross(n, x);
+  }
   glm::dvec3 toLocal(const glm::dvec3& v) const { return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)}; }
   glm::dvec3 toWorld(const glm::dvec3& v) const { return x * v.x + y * v.y + z * v.z; }
 };
+
+// The frame (world) that a point's lobes are of.
+inline Frame frameOf(const SurfaceSample& sample, const Lobes& lobes) {
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(sample.normal));
+  return lobes.isStretched() ? Frame(normal, glm::dvec3(sample.tangent)) : Frame(normal);
+}
 
 // A view (unit, local) that a normal turned away from the eye has; others as they are.
 inline glm::dvec3 visibleView(const glm::dvec3& local) {
@@ -43,8 +57,8 @@ public:
   // lobes: of the sample; it and fromHere must outlive this. A normal turned away from the eye has the lobe of the last
   // visible direction.
   Reflection(const SurfaceSample& sample, const Lobes& lobes, const PointVisibility& fromHere)
-      : m_lobes(lobes), m_frame(glm::normalize(glm::dvec3(sample.normal))),
-        m_view(visibleView(m_frame.toLocal(glm::normalize(glm::dvec3(sample.view))))), m_atView(lobes.viewAt(m_view.z)),
+      : m_lobes(lobes), m_frame(frameOf(sample, lobes)),
+        m_view(visibleView(m_frame.toLocal(glm::normalize(glm::dvec3(sample.view))))), m_atView(lobes.viewAt(m_view)),
         m_folds(fromHere.hasHorizon()), m_horizon(m_frame.toLocal(fromHere.horizonNormal())) {}
 
   const Frame& frame() const { return m_frame; }

@@ -109,14 +109,17 @@ inline glm::dvec3 sampleCosine(const glm::dvec2& u) {
 inline double pdfCosine(double NoL) { return NoL > 0 ? NoL * std::numbers::inv_pi : 0; }
 
 // A half vector of GGX as seen from `view` (unit, view.z > 0): distributed as D G1 max(0, v.h) / v.z (Heitz 2018, eq.
-// 2), by spherical caps (Dupuy and Benyoub 2023, listing 3). alpha in (0, 1].
-inline glm::dvec3 sampleVisibleNormal(double alpha, const glm::dvec3& view, const glm::dvec2& u) {
-  const glm::dvec3 v = glm::normalize(glm::dvec3(alpha * view.x, alpha * view.y, view.z));
+// 2), by spherical caps (Dupuy and Benyoub 2023, listing 3). Alphas in (0, 1].
+inline glm::dvec3 sampleVisibleNormal(double alphaX, double alphaY, const glm::dvec3& view, const glm::dvec2& u) {
+  const glm::dvec3 v = glm::normalize(glm::dvec3(alphaX * view.x, alphaY * view.y, view.z));
   const double phi = 2 * std::numbers::pi * u.x;
   const double z = (1 - u.y) * (1 + v.z) - v.z;
   const double r = std::sqrt(glm::clamp(1 - z * z, 0.0, 1.0));
   const glm::dvec3 h = glm::dvec3(r * std::cos(phi), r * std::sin(phi), z) + v;
-  return glm::normalize(glm::dvec3(alpha * h.x, alpha * h.y, h.z));
+  return glm::normalize(glm::dvec3(alphaX * h.x, alphaY * h.y, h.z));
+}
+inline glm::dvec3 sampleVisibleNormal(double alpha, const glm::dvec3& view, const glm::dvec2& u) {
+  return sampleVisibleNormal(alpha, alpha, view, u);
 }
 
 // Density, per steradian of light directions, of the view's mirror image in such a half vector:

@@ -45,7 +45,7 @@ using Progress = std::function<void(double done)>;
 // nothing else; it does so with shadows, too: a material's occlusion is of details that its mesh does not have. Light
 // that comes by way of other surfaces, emissive ones included, counts to the terms of the sky, occlusion as well. All
 // light of a clear coat is in coatSpecular, and all of a sheen in sheen (reference/layers.h); surfaces that light comes
-// by way of show their base alone.
+// by way of show their base alone, without anisotropy and film.
 // Deterministic: the result for a point depends on the point, the inputs and the options alone, not on the number of
 // threads or on the other points.
 std::vector<ShadedSample> shade(std::span<const SurfaceSample> samples, const Inputs& inputs, const Options& options,

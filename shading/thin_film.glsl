@@ -76,18 +76,17 @@ FN real3 airyOrders(real R12, real R23) {
   return real3(R12 + Rs, C1, C2);
 }
 
-// Fresnel's reflectance under a film between air and the base, RGB:
+// The sum that thinFilmFresnel cuts to [0, 1], between air and the base, RGB:
 //   F = C0 + C1 S(D) + C2 S(2 D),  D = 2 n2 thickness cos(theta2),  S: filmSensitivity as linear Rec.709
 // Belcour and Barla 2017 as KHR_materials_iridescence, "Iridescence Fresnel", simplifies it: Schlick's curve for both
 // interfaces, no polarisation, phases of 0 or pi, two orders. filmIor above 0; thicknessNm in nm, at least 0; baseF0 in
 // [0, 1]; cosTheta (of the view and the microfacet) in [0, 1]. Total reflection (filmIor < 1) gives 1.
-// Deviations from that text:
-//   - The result is cut at 1 as well as at 0.
+// Deviations from that text (and the cut at 1, below):
 //   - Below 30 nm n2 runs to 1 by smoothstep and R12's F90 to 0 by its square, so that F ends in F_Schlick(baseF0).
 //     Belcour and Barla's code does so with n2; Khronos' sample viewer counts its 0.03 in nm.
 //   - R12 R23 is not cut to [1e-5, .9999] and baseF0 not shifted, as nothing here divides by 0.
 // How far this is from the spectrum's integral, and half from this: docs/shading.md 12.
-FN real3 thinFilmFresnel(real filmIor, real thicknessNm, real3 baseF0, real cosTheta) {
+FN real3 thinFilmSum(real filmIor, real thicknessNm, real3 baseF0, real cosTheta) {
   PRECISE real x = saturate(thicknessNm / R(30.0));
   PRECISE real fade = x * x * (R(3.0) - R(2.0) * x);
   PRECISE real over = (filmIor - R(1.0)) * fade; // n2 - 1
@@ -117,7 +116,13 @@ FN real3 thinFilmFresnel(real filmIor, real thicknessNm, real3 baseF0, real cosT
   PRECISE real3 F = real3(ofRed.x + ofRed.y * first.x + ofRed.z * second.x,
                           ofGreen.x + ofGreen.y * first.y + ofGreen.z * second.y,
                           ofBlue.x + ofBlue.y * first.z + ofBlue.z * second.z);
-  return saturate(F);
+  return F;
+}
+
+// Fresnel's reflectance under a film: thinFilmSum, of whose oscillation two orders alone are known and whose colours may
+// lie outside Rec.709, cut to [0, 1]. KHR_materials_iridescence cuts at 0 alone, which lets more light out than came in.
+FN real3 thinFilmFresnel(real filmIor, real thicknessNm, real3 baseF0, real cosTheta) {
+  return saturate(thinFilmSum(filmIor, thicknessNm, baseF0, cosTheta));
 }
 
 // Of a surface that a film covers in part: exactly bare at share 0 and film at share 1. share in [0, 1].
