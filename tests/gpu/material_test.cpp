@@ -120,7 +120,8 @@ TEST_F(MaterialPassTest, LobesComeBackWhereTheSceneHasThem) {
   }
 }
 
-// The direction: the mesh's tangent, turned counter-clockwise towards the bitangent, in the plane of the shading normal.
+// The direction: the mesh's tangent, turned counter-clockwise towards the bitangent, in the plane of the shading
+// normal.
 TEST_F(MaterialPassTest, AnisotropyFollowsTheTangent) {
   scenes::Scene scene = tests::makeQuadScene();
   scene.materials[0].anisotropy = 1;
