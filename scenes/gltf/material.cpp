@@ -18,6 +18,8 @@ namespace parity::scenes {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
+// Beyond any film, and so that the path of light in one is a float of which a turn can be told.
+constexpr float kMostFilmIor = 10, kMostFilmNm = 1e6f;
 
 // Reads one material; its factors are clamped here, with a warning each.
 class MaterialReader {
@@ -176,9 +178,9 @@ private:
   void readIridescence(const tinygltf::Value& value) {
     constexpr const char* kName = "KHR_materials_iridescence";
     readFactor(value, "iridescenceFactor", m_material.iridescence);
-    readNumber(value, "iridescenceIor", 1, kInf, m_material.iridescenceIor);
-    readNumber(value, "iridescenceThicknessMinimum", 0, kInf, m_material.iridescenceThicknessMin);
-    readNumber(value, "iridescenceThicknessMaximum", 0, kInf, m_material.iridescenceThicknessMax);
+    readNumber(value, "iridescenceIor", 1, kMostFilmIor, m_material.iridescenceIor);
+    readNumber(value, "iridescenceThicknessMinimum", 0, kMostFilmNm, m_material.iridescenceThicknessMin);
+    readNumber(value, "iridescenceThicknessMaximum", 0, kMostFilmNm, m_material.iridescenceThicknessMax);
     readTexture(value, "iridescenceTexture", kName, m_material.iridescenceTexture);
     readTexture(value, "iridescenceThicknessTexture", kName, m_material.iridescenceThicknessTexture);
   }

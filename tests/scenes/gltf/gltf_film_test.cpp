@@ -201,5 +201,13 @@ TEST(GltfFilm, IsInTheWordsAboutTheScene) {
   EXPECT_TRUE(info.textures[2].starts_with("iridescence thickness: ")) << info.textures[2];
 }
 
+// Beyond that the path of light in the film would leave the range of floats.
+TEST(GltfFilm, HasAGreatestIndexAndThickness) {
+  const Scene scene = loadWithExtensions(
+      filmOf({{"iridescenceFactor", 1}, {"iridescenceIor", 1e30}, {"iridescenceThicknessMaximum", 1e30}}));
+  EXPECT_EQ(scene.materials[0].iridescenceIor, 10.f);
+  EXPECT_EQ(scene.materials[0].iridescenceThicknessMax, 1e6f);
+}
+
 } // namespace
 } // namespace parity::tests
