@@ -18,6 +18,8 @@ namespace parity::tests {
 // A small picture, under the validation layer: each of its messages fails the run.
 inline const std::vector<std::string> kSmall = {"--size", "64x64", "--validation"};
 inline const std::vector<std::string> kSun = {"--sun", "30,50,4"};
+// An environment filtered in a tenth of the time, where its figures are not what is tested.
+inline const std::vector<std::string> kRoughSky = {"--prefilter-size", "64", "--prefilter-samples", "8"};
 
 // What the program says where there is no Vulkan driver; empty where there is one.
 std::string missingDriver();

@@ -118,9 +118,11 @@ protected:
   std::string render(const Probe& probe, bool asked, const std::string& choices) const {
     const std::string file = (m_folder / ("a" + probe.extension)).string();
     const std::vector<std::string> light = probe.scene == kChoices ? kSun : std::vector<std::string>();
+    const bool filters = probe.words.front().starts_with("--prefilter");
     const RunResult result = runParity(join({{"render", probe.scene == kChoices ? choices : "builtin:" + probe.scene,
                                               "--path", probe.path, "--size", "32x32", "-o", file},
                                              light,
+                                             filters ? std::vector<std::string>() : kRoughSky,
                                              probe.base,
                                              asked ? probe.words : std::vector<std::string>()}));
     EXPECT_TRUE(exitedWith(0, result));
@@ -128,15 +130,45 @@ protected:
   }
 };
 
-TEST_F(OptionsTest, OfRenderMakeAnotherPicture) {
+// A test for each path, and of the mobile path's many probes for each fifth.
+struct Share {
+  std::string name, path;
+  std::size_t part = 0, parts = 1;
+};
+const std::vector<Share> kShares = {
+    {"highend", "highend"},      {"reference", "reference"},  {"mobile1", "mobile", 0, 5}, {"mobile2", "mobile", 1, 5},
+    {"mobile3", "mobile", 2, 5}, {"mobile4", "mobile", 3, 5}, {"mobile5", "mobile", 4, 5}};
+
+std::vector<Probe> probesOf(const Share& share) {
+  std::vector<Probe> ofPath, found;
+  std::ranges::copy_if(kProbes, std::back_inserter(ofPath), [&](const Probe& each) { return each.path == share.path; });
+  for (std::size_t i = share.part * ofPath.size() / share.parts; i < (share.part + 1) * ofPath.size() / share.parts;
+       ++i)
+    found.push_back(ofPath[i]);
+  return found;
+}
+
+class RenderOptionsTest : public OptionsTest, public testing::WithParamInterface<Share> {};
+
+TEST_P(RenderOptionsTest, MakeAnotherPicture) {
   const std::string choices = writeChoices();
   std::map<std::string, std::string> without; // by what is asked for besides
-  for (const Probe& probe : kProbes) {
+  for (const Probe& probe : probesOf(GetParam())) {
     std::string key = probe.scene + " " + probe.path + probe.extension;
+    if (probe.words.front().starts_with("--prefilter")) key += " finely";
     for (const std::string& word : probe.base) key += " " + word;
     if (!without.contains(key)) without[key] = render(probe, false, choices);
     EXPECT_TRUE(render(probe, true, choices) != without[key]) << probe.words.front() << " does nothing";
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, RenderOptionsTest, testing::ValuesIn(kShares),
+                         [](const auto& share) { return share.param.name; });
+
+TEST(Options, OfRenderAreAllProbed) {
+  std::size_t count = 0;
+  for (const Share& share : kShares) count += probesOf(share).size();
+  EXPECT_EQ(count, kProbes.size());
 }
 
 TEST_F(OptionsTest, OfFlipMakeOtherFigures) {

@@ -27,16 +27,19 @@ TRIANGLE = """{
 """
 
 
-def write_suite(file, scenes):
-    """A suite of the first built-in scenes in four environments each, and of a file; `scenes` in all."""
+def write_suite(file, scenes, builtin=1):
+    """A suite of `scenes` scenes: of a file in an environment, of built-in scenes in environments, and of the file under suns,
+    which takes a tenth of their time."""
     names = ["spheres", "materials", "lamps", "shadows", "room", "lights"]
     environments = ["studio", "sky", "night", "white"]
     lines = ['name = "night"', "[defaults]", "prefilter_size = 64", "prefilter_samples = 8"]
     lines += ["[[scene]]", 'file = "triangle.gltf"', 'environment = "builtin:sky"']
-    for index in range(scenes - 1):
+    for index in range(builtin):
         name, environment = names[index // len(environments)], environments[index % len(environments)]
         lines += ["[[scene]]", f'file = "builtin:{name}"', f'name = "{name} in {environment}"',
                   f'environment = "builtin:{environment}"']
+    for index in range(scenes - 1 - builtin):
+        lines += ["[[scene]]", 'file = "triangle.gltf"', f'name = "copper under sun {index}"', f"sun = [{30 * index}, 50, 4]"]
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")
     (file.parent / "triangle.gltf").write_text(TRIANGLE, encoding="utf-8")
@@ -59,14 +62,15 @@ exec {program} "$@"
 
 
 def make_environment(folder, program, options=()):
-    """With a folder for the program on the PATH, as `parity`, and a cache of its own. The options are for `parity plan`."""
+    """With a folder for the program on the PATH, as `parity`, and a cache of its own. The options are for `parity plan`.
+    The driver's compiled shaders are shared with all tests: they are no results, and each cold start would take seconds."""
     bin_folder = folder / "bin"
     bin_folder.mkdir(parents=True)
     (bin_folder / "parity").write_text(STAND_IN.format(folder=folder, program=program, options=" ".join(options)), encoding="utf-8")
     (bin_folder / "parity").chmod(0o755)
     kept = {name: os.environ[name] for name in ("HOME", "LANG", "VK_ICD_FILENAMES", "VK_DRIVER_FILES") if name in os.environ}
     return dict(kept, PATH=f"{bin_folder}:/usr/sbin:/usr/bin:/sbin:/bin", XDG_CACHE_HOME=str(folder / "cache"),
-                ASAN_OPTIONS="detect_leaks=0")
+                MESA_SHADER_CACHE_DIR=str(pathlib.Path(program).parent / "test-caches"), ASAN_OPTIONS="detect_leaks=0")
 
 
 def fail_work(folder, index, codes):

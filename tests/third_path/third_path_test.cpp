@@ -25,6 +25,7 @@ TEST_F(ThirdPath, HasARowOfItsOwnInReportAndPage) {
       {{"report", "builtin:spheres", "--env", "builtin:studio", "--truth", "--error", "10%", "-o", folder.string()},
        kThree,
        kSmall,
+       kRoughSky,
        kSun}));
   EXPECT_EQ(result.signal, 0) << result.err;
   const json report = json::parse(readWholeFile(folder / "report.json"));

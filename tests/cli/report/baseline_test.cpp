@@ -23,7 +23,7 @@ protected:
 
   // The regressions alone judge the material.
   RunResult report(const std::string& folder, const std::vector<std::string>& more) const {
-    return runParity(join({{"report"}, more, {"--budgets", path("b.toml")}, kSmall, {"-o", path(folder)}}));
+    return runParity(join({{"report"}, more, {"--budgets", path("b.toml")}, kSmall, kRoughSky, {"-o", path(folder)}}));
   }
 
   // A quad with two scenes, two variants and an animation.
@@ -63,7 +63,7 @@ protected:
 TEST_F(BaselineTest, ARunUnderOtherConditionsIsNotComparableAndSaysWhich) {
   const std::string scene = writeRich();
   const std::vector<std::string> before = {scene, "--env", sky(0.5f), "--sun", "30,50,4"};
-  ASSERT_NE(runParity(join({{"report"}, before, kSmall, {"-o", path("old")}})).exitCode, 4);
+  ASSERT_NE(runParity(join({{"report"}, before, kSmall, kRoughSky, {"-o", path("old")}})).exitCode, 4);
   EXPECT_TRUE(exitedWith(0, report("new", join({before, {"--baseline", path("old"), "--warn-exit"}}))));
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"--env-rotation", "90"}, "environment rotation was 0, is 90"},
@@ -107,7 +107,8 @@ TEST_F(BaselineTest, OfASuiteSceneByScene) {
   };
   const std::vector<std::string> held = {"--baseline", path("old"), "--warn-exit"};
   ASSERT_EQ(run("old", "", "orbit = [0, 80, 2]\n", {}).exitCode, 4) << "regressions alone, and no baseline";
-  ASSERT_NE(runParity(join({{"report", "--suite", path("suite.toml")}, kSmall, {"-o", path("old")}})).exitCode, 4);
+  ASSERT_NE(
+      runParity(join({{"report", "--suite", path("suite.toml")}, kSmall, kRoughSky, {"-o", path("old")}})).exitCode, 4);
   EXPECT_TRUE(exitedWith(0, run("new", "", "orbit = [0, 80, 2]\n", held)));
   expectNotComparable(run("new", "", "orbit = [0, 80, 2.5]\n", held), "new", "orbit was 0,80,2, is 0,80,2.5");
   const json two = readReport(m_folder / "new")["scenes"][1]["views"][0];
@@ -119,7 +120,7 @@ TEST_F(BaselineTest, OfASuiteSceneByScene) {
 // The truth judges nothing, and what it is made of makes nothing incomparable.
 TEST_F(BaselineTest, TruthsOptionsActOnTheTruthAlone) {
   const std::vector<std::string> before = {writeRich(), "--sun", "30,50,4"};
-  ASSERT_NE(runParity(join({{"report"}, before, {"--truth"}, kSmall, {"-o", path("old")}})).exitCode, 4);
+  ASSERT_NE(runParity(join({{"report"}, before, {"--truth"}, kSmall, kRoughSky, {"-o", path("old")}})).exitCode, 4);
   const RunResult result =
       report("new", join({before, {"--truth", "--scattering", "single", "--baseline", path("old"), "--warn-exit"}}));
   EXPECT_TRUE(exitedWith(0, result)) << result.err;

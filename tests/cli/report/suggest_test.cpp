@@ -19,7 +19,7 @@ protected:
   RunResult report(const std::string& folder, const std::vector<std::string>& scenes,
                    const std::vector<std::string>& more = {}) const {
     return runParity(
-        join({{"report"}, scenes, {"-o", path(folder), "--size", "48x48", "--cache", path("cache")}, more}));
+        join({{"report"}, scenes, {"-o", path(folder), "--size", "48x48", "--cache", path("cache")}, kRoughSky, more}));
   }
   void expectUnchangedRunPasses(const std::vector<std::string>& scenes, const std::vector<std::string>& suggest,
                                 const std::vector<std::string>& more = {}) const {

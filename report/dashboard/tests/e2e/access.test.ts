@@ -2,7 +2,7 @@ import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import { violations } from "./axe";
-import { changedReport, hashOfItem, openReport, removeChanged, reportFolder, startBrowser } from "./browser";
+import { changedReport, hashOfItem, openReport, removeChanged, reportFolder, settle, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -32,13 +32,12 @@ const kPages = [
 describe("axe-core finds nothing serious in", () => {
   it.each(kPages)("%s", async (_what, report, hash) => {
     const { page } = await openReport(browser, reportFolder(report), hash);
-    await page.waitForTimeout(300);
+    await settle(page);
     expect(await violations(page)).toEqual([]);
     // In the dark: only what the scheme decides.
     await page.emulateMedia({ colorScheme: "dark" });
     expect(await page.evaluate(() => matchMedia("(prefers-color-scheme: dark)").matches)).toBe(true);
     expect(await violations(page, ["color-contrast"])).toEqual([]);
-    await page.context().close();
   });
 });
 
@@ -53,10 +52,9 @@ describe("a report that cannot be shown", () => {
 describe("on a phone", () => {
   it.each(kPages)("%s is no wider than the screen, and what scrolls is reached by keys", async (_what, report, hash) => {
     const { page } = await openReport(browser, reportFolder(report), hash, { viewport: { width: 360, height: 740 }, hasTouch: true });
-    await page.waitForTimeout(300);
+    await settle(page);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(360);
     expect(await violations(page, ["scrollable-region-focusable"])).toEqual([]);
-    await page.context().close();
   });
 });
 
@@ -105,11 +103,10 @@ describe("on paper", () => {
     const { page } = await openReport(browser, reportFolder(report), hash);
     await page.emulateMedia({ media: "print" });
     await page.setViewportSize({ width: 794, height: 1123 });
-    await page.waitForTimeout(300);
+    await settle(page);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(794);
     if (hash === "" || hash.startsWith("#group")) expect(await page.isVisible(".list-head .sort >> nth=0")).toBe(true);
     if (hash.startsWith("#group")) expect(await page.isVisible(".row.group button >> nth=0")).toBe(true);
-    await page.context().close();
   });
 
   it("the overview prints its rows in full, without controls", async () => {

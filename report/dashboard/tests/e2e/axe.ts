@@ -8,12 +8,14 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 
 /** Rules of axe-core (these; none: all) that are broken seriously or critically, each with the first place. */
 export async function violations(page: Page, rules: string[] = []): Promise<string[]> {
-  await page.evaluate(axe);
-  const results = await page.evaluate((only) => {
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axe);
+  // Of what passes axe would list every element, too.
+  const found = await page.evaluate(async (only) => {
     const { axe: program } = window as unknown as { axe: { run(options: object): Promise<AxeResults> } };
-    return program.run(only.length > 0 ? { runOnly: only } : {});
+    const results = await program.run({ resultTypes: ["violations"], ...(only.length > 0 ? { runOnly: only } : {}) });
+    return results.violations;
   }, rules);
-  return results.violations
+  return found
     .filter((each) => each.impact === "serious" || each.impact === "critical")
     .map((each) => `${each.id}: ${each.help}: ${each.nodes[0]?.html.slice(0, 200)} ${each.nodes[0]?.failureSummary ?? ""}`);
 }

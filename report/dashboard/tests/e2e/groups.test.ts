@@ -55,7 +55,6 @@ describe("since a baseline", () => {
     expect(page.url()).toContain("changes=new");
     expect(await page.textContent(".list .row >> nth=0")).toContain("new failure");
     expect(problems).toEqual([]);
-    await page.context().close();
   });
 
   it("filters and a column tell what is worse or better", async () => {
@@ -70,13 +69,11 @@ describe("since a baseline", () => {
     await page.click(".chips.changes .chip.not-comparable");
     await page.click("button.sort:has-text('Change')");
     await expect.poll(() => page.textContent(".list .row >> nth=0 >> .cell-change"), { timeout: 10000 }).toContain("+0.1");
-    await page.context().close();
   });
 
   it("is silent where there is none", async () => {
     const { page } = await openReport(browser, reportFolder("many"));
     expect(await page.locator(".since, .chips.changes, .cell-change").count()).toBe(0);
-    await page.context().close();
   });
 });
 
@@ -94,7 +91,6 @@ describe("groups", () => {
     await head.locator(".worst a").first().click();
     await page.waitForSelector("parity-item h2");
     expect(worst).toContain((await page.textContent("parity-item h2 bdi"))!);
-    await page.context().close();
   });
 
   it("open and close one by one, and their rows are stepped through in their order", async () => {
@@ -108,7 +104,6 @@ describe("groups", () => {
     await page.keyboard.press("j");
     await page.waitForSelector("parity-item h2");
     expect(await page.textContent("parity-item .item-head .place")).toContain("Scene 1 ");
-    await page.context().close();
   });
 
   it("are in the head of the page, too: what failed or warned, by cause", async () => {
@@ -117,7 +112,6 @@ describe("groups", () => {
     await page.click(".causes a.all");
     await page.waitForSelector(".row.group");
     expect(page.url()).toContain("group=cause");
-    await page.context().close();
   });
 });
 
@@ -127,7 +121,6 @@ describe("what a row says", () => {
     await page.waitForSelector(".list .row");
     expect(await page.textContent(".list .row .name >> nth=0")).toBe("Scene 1 · view 1");
     expect(await page.locator(".list .row >> nth=0 >> .labelled small").allTextContents()).toEqual(["High-end", "Mobile", "FLIP"]);
-    await page.context().close();
   });
 
   it("has bars on one scale, which the head of the column says", async () => {
@@ -137,7 +130,6 @@ describe("what a row says", () => {
     const bars = await page.locator(".list .row .cell-flip-mean").evaluateAll((cells) =>
       cells.map((cell) => [Number(cell.querySelector(".value")!.textContent), cell.querySelector(".fill")!.getBoundingClientRect().width / cell.querySelector(".bar")!.clientWidth] as const));
     for (const [value, share] of bars) expect(share, String(value)).toBeCloseTo(value / most, 1);
-    await page.context().close();
   });
 });
 
@@ -155,13 +147,10 @@ describe("a link", () => {
     await other.waitForSelector("parity-item h2");
     expect(await other.textContent("parity-item h2 bdi")).toBe(await page.textContent("parity-item h2 bdi"));
     expect(await other.inputValue("#search")).toBe("material");
-    await page.context().close();
-    await other.context().close();
   });
 
   it("to what this report does not have says so", async () => {
     const { page } = await openReport(browser, reportFolder("many"), "#scene=Scene+1&view=view+1&material=Gone");
     expect(await page.textContent(".notice.error")).toContain("Scene 1 · view 1 · Gone");
-    await page.context().close();
   });
 });

@@ -64,7 +64,6 @@ describe.each([["1280x900", { width: 1280, height: 900 }], ["390x844", { width: 
     expect(await page.evaluate(() => { const row = document.querySelector(".list .row")!; return row.scrollHeight - row.clientHeight; })).toBeLessThanOrEqual(0);
     expect(problems()).toEqual([]);
     expect(await violations(page)).toEqual([]);
-    await page.context().close();
   });
 
   it("has a tab with the figures, the changes and the approved pictures of a row", async () => {
@@ -84,13 +83,11 @@ describe.each([["1280x900", { width: 1280, height: 900 }], ["390x844", { width: 
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
     expect(problems()).toEqual([]);
     expect(await violations(page)).toEqual([]);
-    await page.context().close();
   });
 
   it("says of a row that no run has that none has it", async () => {
     const { page } = await open(`${hashOfItem("real", 3)}&tab=history`);
     expect(await page.textContent(".trend-head")).toBe("No earlier run has this row.");
-    await page.context().close();
   });
 });
 
@@ -99,5 +96,4 @@ it("has no such tab without a history", async () => {
   await page.waitForSelector("parity-item h2");
   expect(await page.locator("#tab-history").count()).toBe(0);
   expect(await page.getAttribute("#tab-compare", "aria-selected")).toBe("true");
-  await page.context().close();
 });

@@ -51,7 +51,6 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     expect(await page.evaluate(() => document.documentElement.scrollHeight - innerHeight)).toBe(0);
     expect((await page.textContent(".what-ifs li >> nth=0"))!.match(/pass/g)).toHaveLength(1);
     expect(await page.textContent(".what-ifs li >> nth=0")).toContain("\u22120.02 EV instead of \u22120.28 EV");
-    await page.context().close();
   });
 
   it("says the reason in full, the cause and what would help above the pictures", async () => {
@@ -63,7 +62,6 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     expect(await page.textContent(".item-head .reason")).toBe(kReason.replace("-1.25", "\u22121.25"));
     expect(await page.evaluate(() => { const reason = document.querySelector(".item-head .reason")!; return [reason.scrollWidth - reason.clientWidth, reason.scrollHeight - reason.clientHeight]; })).toEqual([0, 0]);
     expect(await page.textContent(".item-head .would-help")).toBe("Would help: preset one (FLIP 0.075, pass)");
-    await page.context().close();
   });
 
   it("has limits and their verdict beside its numbers, and says where its commands run", async () => {
@@ -74,7 +72,6 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     const numbers = await page.innerText("parity-numbers");
     expect(numbers).toContain("in the folder where parity ran");
     expect(numbers).toContain("in the folder of this report");
-    await page.context().close();
   });
 
   it("does not pass plainly where its budget accepts something", async () => {
@@ -82,7 +79,6 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     expect(await page.textContent("#item-title .badge")).toContain("pass (accepted)");
     expect(await page.textContent(".item-head p.accepted")).toContain("2 of 900 pixels are NaN");
     expect(await page.textContent(".facts")).toMatch(/2 of [\d,]+ pixels are NaN or infinite/);
-    await page.context().close();
   });
 
   it("has its cause and what is accepted in the list, whose lines do not overlap", async () => {
@@ -97,13 +93,11 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
       return boxes.some((a, i) => boxes.some((b, j) => i < j && isOver(a, b))) || row.scrollHeight > row.clientHeight;
     });
     expect(overlaps).toBe(false);
-    await page.context().close();
   });
 
   it("is of a suite that the head and the title name", async () => {
     const page = await open("");
     expect(await page.textContent(".page-head .suite")).toBe("Suite nightly");
     expect(await page.title()).toMatch(/^parity: nightly: /);
-    await page.context().close();
   });
 });

@@ -2,7 +2,7 @@
 import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
-import { hashOfItem, openReport, reportFolder, startBrowser } from "./browser";
+import { closePages, hashOfItem, openReport, reportFolder, settle, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -49,7 +49,7 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
   const open = async (hash = "", report = "real"): Promise<Page> => {
     const { page } = await openReport(browser, reportFolder(report), hashOfItem(report) + hash, { viewport });
     await page.waitForSelector("parity-pane .world");
-    await page.waitForTimeout(500);
+    await settle(page);
     return page;
   };
 
@@ -64,19 +64,16 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     const page = await open(`&mode=${mode}`);
     expect(await outOfSight(page, [...selectors, ".tools", "#item-title", "[role=tab]"])).toEqual([]);
     expect(await page.evaluate(() => [document.documentElement.scrollHeight - innerHeight, document.documentElement.scrollWidth - innerWidth])).toEqual([0, 0]);
-    await page.context().close();
   });
 
   it("gives the pictures more room than all else on a phone, and a good part of a desktop's screen", async () => {
     const page = await open("&mode=slider");
     expect(await shareOfPictures(page)).toBeGreaterThan(viewport.width < 760 ? 0.55 : 0.4);
-    await page.context().close();
   });
 
   it("has both legends in sight where pictures have false colours", async () => {
     const page = await open("&falseColor=true");
     expect(await outOfSight(page, ["parity-pane .stage", ".legend.luminance .tick", ".legend.flip .tick"])).toEqual([]);
-    await page.context().close();
   });
 
   it("folds and unfolds the tool bar, and the pictures take what it leaves", async () => {
@@ -91,7 +88,6 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     await page.waitForSelector("#viewer-more", { state: "visible" });
     expect(await isFolded()).toBe("true");
     await expect.poll(height).toBeLessThan(folded);
-    await page.context().close();
   });
 
   it("scrolls to its values and its budget by keys, and another item starts at its top", async () => {
@@ -102,17 +98,15 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     expect((await outOfSight(page, ["#item-title", "[role=tab]"]))).toEqual([]);
     await page.keyboard.press("j");
     await expect.poll(top).toBe(0);
-    await page.context().close();
   });
 
   it("is no wider than its place in any tab", async () => {
     const page = await open();
     for (const key of ["c", "t", "n"]) {
       await page.keyboard.press(key);
-      await page.waitForTimeout(200);
+      await settle(page);
       expect(await page.evaluate(() => { const panel = document.querySelector("#panel")!; return panel.scrollWidth - panel.clientWidth; }), key).toBe(0);
     }
-    await page.context().close();
   });
 });
 
@@ -126,7 +120,7 @@ describe("the row of the open item", () => {
       await expect.poll(() => outOfSight(page, [openRow]), { timeout: 10000 }).toEqual([]);
       for (let i = 0; i < 12; ++i) await page.keyboard.press(place === 499 ? "k" : "j");
       await expect.poll(async () => (await page.locator(openRow).count()) === 1 && (await outOfSight(page, [openRow])).length === 0, { timeout: 10000 }).toBe(true);
-      await page.context().close();
+      await closePages();
     }
   });
 
@@ -135,7 +129,6 @@ describe("the row of the open item", () => {
     await page.waitForSelector(openRow);
     await page.setViewportSize({ width: 1100, height: 520 });
     await expect.poll(() => outOfSight(page, [openRow]), { timeout: 10000 }).toEqual([]);
-    await page.context().close();
   });
 
   it("is in sight where a link leads to a view and does not say which list", async () => {
@@ -143,7 +136,6 @@ describe("the row of the open item", () => {
     await page.waitForSelector(openRow);
     await expect.poll(() => outOfSight(page, [openRow]), { timeout: 10000 }).toEqual([]);
     expect(await page.textContent(`${openRow} .name`)).toBe("Scene 8 · view 3");
-    await page.context().close();
   });
 
   it("is in sight in a group that was folded", async () => {
@@ -151,6 +143,5 @@ describe("the row of the open item", () => {
     await page.waitForSelector(openRow);
     await expect.poll(() => outOfSight(page, [openRow]), { timeout: 10000 }).toEqual([]);
     expect(await page.getAttribute(".list", "aria-rowcount")).toBe(String(1 + 10 + 50)); // the other groups stay folded
-    await page.context().close();
   });
 });

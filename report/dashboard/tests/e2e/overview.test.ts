@@ -1,7 +1,7 @@
 import type { Browser } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it, vi } from "vitest";
 
-import { hashOfItem, openReport, readReport, reportFolder, startBrowser } from "./browser";
+import { closePages, hashOfItem, openReport, readReport, reportFolder, startBrowser } from "./browser";
 import { rowsOf } from "../pack_overview";
 
 let browser: Browser;
@@ -132,7 +132,7 @@ describe("what is neither a plain pass nor a plain failure", () => {
     await page.waitForFunction((words) => (document.querySelector("parity-item") as HTMLElement).innerText.includes(words), until);
     const text = await page.innerText("parity-item");
     expect(problems).toEqual([]);
-    await page.context().close();
+    await closePages();
     return text;
   };
 

@@ -4,7 +4,7 @@ import { basename, join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
 
-import { changedReport, hashOfItem, openReport, readReport, realProblems, removeChanged, reportFolder, startBrowser } from "./browser";
+import { changedReport, closePages, hashOfItem, openReport, readReport, realProblems, removeChanged, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -68,7 +68,7 @@ describe("the details of a scene", () => {
       await opened.page.keyboard.press("Escape");
       await opened.page.waitForSelector(".list .row");
       if (what !== "damaged") expect(realProblems(opened), what).toEqual([]);
-      await opened.page.context().close();
+      await closePages();
     }
   });
 });

@@ -5,7 +5,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import { checkChunk, decodePlane } from "../../src/data/chunk";
 import type { Report } from "../../src/data/types";
-import { hashOfItem, openReport, readReport, reportFolder, startBrowser } from "./browser";
+import { closePages, hashOfItem, openReport, readReport, reportFolder, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -121,7 +121,7 @@ describe("the comparison", () => {
       const { page } = await openItem("real", `&mode=flip&threshold=${threshold}`);
       await page.waitForFunction(() => document.querySelector("output[for=viewer-threshold]")?.textContent?.includes("%"));
       const text = (await page.textContent("output[for=viewer-threshold]")) ?? "";
-      await page.context().close();
+      await closePages();
       return Number(/([\d.]+) %/.exec(text)?.[1]);
     };
     const [low, high] = [await share(0.02), await share(0.2)];
@@ -161,7 +161,7 @@ describe("a pixel's values", () => {
         const values = await page.locator(`.inspector tbody tr:has(th:has-text("${name}")) td:last-child span`).allTextContents();
         expect(values.map(Number), `${name} at ${x}, ${y}`).toEqual(expected[name][i]);
       }
-      await page.context().close();
+      await closePages();
     }
   });
 
@@ -177,7 +177,7 @@ describe("a pixel's values", () => {
       await page.waitForFunction(() => /\d/.test(document.querySelector(".inspector tbody tr td:last-child")?.textContent ?? ""));
       const values = (await page.locator(".inspector tbody tr:has(th:has-text('High-end')) td:last-child span").allTextContents()).map(Number);
       values.forEach((value, channel) => expect(Math.abs(value - expected[i]![channel]!)).toBeLessThanOrEqual(2));
-      await page.context().close();
+      await closePages();
     }
   });
 
@@ -224,7 +224,7 @@ describe("FLIP", () => {
       const text = (await page.textContent(".histogram p.aside")) ?? "";
       expect(text).toContain(`${counted.toLocaleString("en-US")} pixels`);
       expect(text).toContain(`mean ${mean.toFixed(3)}`);
-      await page.context().close();
+      await closePages();
     }
   });
 });
@@ -238,7 +238,7 @@ describe("a report of some materials only", () => {
       await page.waitForSelector(".inspector tbody tr");
       await page.waitForTimeout(300);
       const text = (await page.textContent(".pixel-head")) ?? "";
-      await page.context().close();
+      await closePages();
       return /FLIP\s+(\S+)/.exec(text)?.[1] ?? "";
     };
     expect(await flipAt(3, 3)).toBe("–");
