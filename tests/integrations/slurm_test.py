@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """integrations/slurm on a real Slurm: slurm_test.py PARITY
 
-A private cluster of two nodes compares 12 scenes in 6 shards. One task ends with 75, and one node dies in the middle of a
+A private cluster of two nodes compares 24 scenes in 12 shards. One task ends with 75, and one node dies in the middle of a
 shard. Slurm runs both shards again, and the merged report has the bytes of `parity report`. Then a unit is lost, and `submit`
 makes it again.
 Exit code 77: there is no Slurm here (packages slurm-wlm and munge).
@@ -17,7 +17,7 @@ import time
 from night import INTEGRATIONS, differences, fail_work, make_environment, pictures, run, write_suite
 from slurm_cluster import Cluster, what_is_missing
 
-SCENES, SHARDS, LIMIT_S = 12, 6, 420
+SCENES, SHARDS, LIMIT_S = 24, 12, 420
 FAILING = 0 # the shard whose first try ends with 75
 SUBMIT = INTEGRATIONS / "slurm" / "submit"
 OPTIONS = ["--suite", "assets/night.toml", "--size", "96x96"]
