@@ -358,7 +358,7 @@ export interface Images {
 }
 
 export interface DroppedLobe {
-  lobe: "clear coat" | "sheen";
+  lobe: "clear coat" | "sheen" | "anisotropy" | "iridescence";
   flip: number; // Mean FLIP of the reference's picture without this lobe of the material against its picture with it
 }
 
