@@ -50,7 +50,7 @@ enum class CoatForm { none, ue4, refit };
 enum class SheenForm { none, fit };
 
 // Anisotropy: none shows a round lobe; or reads of the environment about a bent normal, and lights by the elongated
-// lobe.
+// lobe (by dApprox and phongApprox: by the round lobe about the bent normal's reflection).
 enum class AnisotropyForm { none, bent };
 
 // A thin film: none shows the base alone; or a tint of its specular colour, interference at three wavelengths.

@@ -8,7 +8,7 @@
 namespace parity::reference {
 
 // thinFilmFresnel (shading/thin_film.glsl) of one film and base. Cubic interpolation over the root of VoH, as bright
-// bases change within a few degrees of grazing; of the sum before it is cut, so that the cut stays sharp. Within 2e-4
+// bases change within a few degrees of grazing; of the sum before it is cut, so that the cut stays sharp. Within 4e-4
 // of the formula (tests/reference). Films that change faster over the angle (thicker than 1500 nm, or of an index below
 // 1) are evaluated each time.
 class FilmFresnel {

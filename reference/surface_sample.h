@@ -30,7 +30,7 @@ struct SurfaceSample {
   float anisotropy = 0;                     // [0, 1]: alpha along the tangent is mix(alpha, 1, anisotropy^2)
   glm::vec3 tangent{0.f};                   // unit, perpendicular to the normal; read where anisotropy is above 0
   float iridescence = 0;                    // [0, 1], share of the surface under a thin film
-  float filmIor = 1.3f;                     //
+  float filmIor = 1.3f;                     // index of refraction of the film
   float filmThickness = 0;                  // nm
 };
 static_assert(sizeof(SurfaceSample) == 43 * sizeof(float));

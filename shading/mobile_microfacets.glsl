@@ -35,8 +35,8 @@ FN MobileAnisotropy mobileAnisotropy(real Roughness, real strength) {
   return m;
 }
 
-// The normal about which the environment is read: between N and the normal that the fibres along the tangent show to the
-// eye, V without its part along the bitangent B. McAllister, Lastra and Heidrich 2002 ("Efficient Rendering of Spatial
+// The normal about which the environment is read: between N and the normal that fibres along the bitangent B show to the
+// eye, V without its part along B. Roughness grows across the fibres, along the tangent. McAllister, Lastra and Heidrich 2002 ("Efficient Rendering of Spatial
 // Bi-directional Reflectance Distribution Functions") and Revie 2012; the share is the project's own, (alphaT - alphaB) /
 // (alphaT + alphaB). N, B, V unit. V along B: N.
 FN real32x3 bentNormal(real32x3 N, real32x3 B, real32x3 V, real32 share) {
@@ -111,7 +111,7 @@ FN real3 filmTint(real32 filmIor, real32 thickness, real3 F0, real NoV) {
   PRECISE real32 cosine = real32(NoV);
   PRECISE real32 sin2 = (R32(1.0) - cosine * cosine) / (filmIor * filmIor);
   PRECISE real32 path = R32(2.0) * filmIor * thickness * sqrt(max(R32(1.0) - sin2, R32(0.0)));
-  return real3(real(filmReflectance(filmIor, real32(F0.x), path / R32(599.0), R32(0.0))),
+  return real3(real(filmReflectance(filmIor, real32(F0.x), path / R32(599.0), R32(0.02))),
                real(filmReflectance(filmIor, real32(F0.y), path / R32(547.0), R32(0.0303))),
                real(filmReflectance(filmIor, real32(F0.z), path / R32(452.0), R32(0.0335))));
 }

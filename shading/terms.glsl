@@ -16,7 +16,7 @@ const int kTermSheen = 10;
 #ifdef PARITY_LOBES
 const int kTermCount = 11;
 #else
-const int kTermCount = 9; // no material of the scene has coat or sheen
+const int kTermCount = 9; // no material of the scene has lobes beside the base's own
 #endif
 
 #endif

@@ -23,7 +23,7 @@ enum class Term : int {
   sheen,        // likewise, by the fibres
 };
 inline constexpr std::size_t kTermCount = 11;
-inline constexpr std::size_t kBaseTermCount = 9; // of scenes without coat and sheen: those up to fog
+inline constexpr std::size_t kBaseTermCount = 9; // of scenes without lobes beside the base's own: those up to fog
 inline constexpr std::array<std::string_view, kTermCount> kTermNames = {
     "sunDiffuse",  "sunSpecular", "localDiffuse", "localSpecular", "lightmap", "skyDiffuse",
     "skySpecular", "emissive",    "fog",          "coatSpecular",  "sheen"};

@@ -119,7 +119,8 @@ struct ShadingPass::Impl {
         white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), linearClamp(makeLinearClamp(dev)),
         view(dev, sizeof(GpuView)), lights(dev, std::span<const GpuLight>(program.lights)),
         pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), nothing(dev, 0),
-        nothingUniform(dev, kLargestUniform), plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
+        nothingUniform(dev, std::span<const std::byte>(std::vector<std::byte>(kLargestUniform))),
+        plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
         store(program.compilation.store ? *program.compilation.store : ownStore),
         shadesLobes(buffers.hasLobes() && !program.spirvOfLobes.empty()) {
     if (shadesLobes) program.spirv = program.spirvOfLobes;

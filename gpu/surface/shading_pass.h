@@ -44,7 +44,8 @@ struct Compilation {
 struct PathProgram {
   std::string name; // for timings
   Spirv spirv;
-  Spirv spirvOfLobes = {}; // for scenes with coat or sheen (PARITY_LOBES of path.glsl); empty: the path has neither
+  Spirv spirvOfLobes =
+      {}; // for scenes with kFeatureLobes (PARITY_LOBES of path.glsl); empty: the path has none of them
   std::vector<GpuLight> lights;       // directional ones first
   std::uint32_t directionalCount = 0; // lights the shader loops over; constants 3 and 4
   std::uint32_t localCount = 0;

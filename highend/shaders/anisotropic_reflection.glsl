@@ -10,6 +10,7 @@ const int kLeastOfStrip = 4, kMostOfStrip = 11;
 // Solid angle of a point over alpha^2 of its level: the lobe of a level has its peak, 1 / (4 pi alpha^2), where this is 4 pi.
 // Slightly sharper levels are nearer to the truth (docs/shading.md 11).
 const float kSolidAngleOfLevel = 18.0;
+// Of the distance of points along the tangent over the lobe's width across it; 1/3 leaves no gaps on builtin:lobes.
 const float kGaps = 0.33;
 
 // Mean over a light of this spread: to second order that of a lobe wider by what half vectors turn (meanOfGgx).
@@ -19,19 +20,26 @@ vec3 lampByAnisotropic(Shader s, vec3 L, float spread) {
   float VoH2 = max(0.5 + 0.5 * dot(s.V, L), 1e-6);
   float turned = spread * (0.25 + 0.25 / VoH2);
   vec2 alpha = alphasOf(s, kLeastAlpha);
-  return scatteredAnisotropic(s, sqrt(alpha * alpha + turned), L);
+  return scatteredAnisotropic(s, sqrt(min(alpha * alpha + turned, vec2(1.0))), L);
 }
 
 // Of the compact lamps, which are the first.
 vec3 compactLampsByAnisotropic(Shader s) {
   vec3 sum = vec3(0.0);
+  vec4 lost = kCompensation == kCompensationKullaConty ? lostAt(s) : vec4(0.0);
   uint n = 0u;
   do {
     vec4 place = lamps[n].directionSpread, content = lamps[n].lightNext;
     uint next = uint(content.w);
     if ((next & kLampIsCompact) == 0u) break;
     bool isLeaf = (next & kLampIsLeaf) != 0u;
-    if (isLeaf) sum += content.xyz * lampByAnisotropic(s, place.xyz, place.w);
+    if (isLeaf) {
+      vec3 scattered = lampByAnisotropic(s, place.xyz, place.w);
+      float NoL = max(dot(s.N, place.xyz), 0.0);
+      if (kCompensation == kCompensationKullaConty) // from the irradiance to its own lobe
+        scattered += s.multiple * (NoL * (kullaContyLobe(1.0 - lostOf(lost, NoL), s.Eavg) - Fd_Lambert()));
+      sum += content.xyz * scattered;
+    }
     n = isLeaf ? next >> 2u : n + 1u;
   } while (n != 0u);
   return sum;

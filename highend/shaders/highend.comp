@@ -1,4 +1,4 @@
-// The high-end path of scenes without coat and sheen.
+// The high-end path of scenes without lobes beside the base's own.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "highend/shaders/highend.glsl"

@@ -105,7 +105,7 @@ Shader makeShader(Point p, Resolved m) {
   s.filmIor = m.filmIor;
   s.filmThickness = m.filmThickness;
   if (isAnisotropic(s)) { // what of isotropic lobes there is, is as wide as both alphas
-    vec2 alpha = alphasOf(s, 0.0);
+    vec2 alpha = alphasOf(s, kLeastAlpha);
     s.roughness = sqrt(sqrt(alpha.x * alpha.y));
   }
 #endif

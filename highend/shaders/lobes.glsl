@@ -1,4 +1,4 @@
-// Clear coat and sheen over the base, for scenes that have either: docs/shading.md 10. What a layer leaves of the light
+// Clear coat and sheen over the base, where the permutation has them: docs/shading.md 10. What a layer leaves of the light
 // to those below it depends on the view alone.
 #include "shading/sheen.glsl"
 

@@ -24,7 +24,7 @@ vec3 localView(Shader s) {
 
 vec3 fresnelOf(Shader s, float VoH) {
   vec3 F = mixFresnel(s.F0, s.F90, fresnelWeight(VoH));
-  return hasFilm(s) ? mix(F, thinFilmFresnel(s.filmIor, s.filmThickness, s.F0, VoH), s.film) : F;
+  return hasFilm(s) ? iridescentFresnel(F, thinFilmFresnel(s.filmIor, s.filmThickness, s.F0, VoH), s.film) : F;
 }
 
 // Cosine-weighted mean of fresnelOf, by four directions of equal weight.
@@ -34,12 +34,12 @@ vec3 meanFresnelOf(Shader s) {
   return 0.25 * sum;
 }
 
-// V of the geometry term. Schlick-Smith's takes the alpha that each direction sees.
+// V of the geometry term.
 float anisotropicVisibility(vec2 alpha, vec3 v, vec3 l) {
   if (kGeometryTerm == kGeometryHeightCorrelated)
     return V_SmithGGXAnisotropic(alpha.x, alpha.y, v.x, v.y, v.z, l.x, l.y, l.z);
-  float kv = 0.5 * projectedAlpha(alpha.x, alpha.y, v.x, v.y), kl = 0.5 * projectedAlpha(alpha.x, alpha.y, l.x, l.y);
-  return 0.25 / ((v.z * (1.0 - kv) + kv) * (l.z * (1.0 - kl) + kl));
+  return V_SchlickSmithAnisotropic(projectedAlpha(alpha.x, alpha.y, v.x, v.y), projectedAlpha(alpha.x, alpha.y, l.x, l.y),
+                                   v.z, l.z);
 }
 
 // As scatteredOnce. L: unit, above the surface.

@@ -168,5 +168,42 @@ TEST_F(HighendTest, HiddenMicrofacetsLeaveTheRoundLobe) {
   EXPECT_EQ(shade(both, inputs).color, color);
 }
 
+// Light that scatters more than once is as much of a sun as of a sky, also of a smooth surface.
+TEST_F(HighendTest, TheSunOnSmoothBrushedMetalScattersMoreThanOnce) {
+  const base::Image lut = makeEnvBrdfLut(GeometryTerm::heightCorrelated);
+  Inputs inputs{.lut = &lut};
+  scenes::Scene scene = makeBrushed(0.3f, 0.9f, 0.4f, 0);
+  scene.materials[0].baseColor = glm::vec4(1);
+  Options once;
+  once.compensation = Compensation::none;
+  double sum = 0; // over suns from everywhere above, each with its part of an even sky
+  constexpr int kSuns = 8;
+  for (int k = 0; k < kSuns; ++k) {
+    const float z = (static_cast<float>(k) + 0.5f) / kSuns, r = std::sqrt(1 - z * z),
+                turn = 2.4f * static_cast<float>(k);
+    const glm::vec3 N(std::sin(0.3f), 0, std::cos(0.3f)), T(N.z, 0, -N.x);
+    inputs.lights = {
+        makeDirectional(r * std::cos(turn) * T + r * std::sin(turn) * glm::vec3(0, 1, 0) + z * N, glm::vec3(1))};
+    const float more = shade(scene, inputs)[Term::sunSpecular].x - shade(scene, inputs, once)[Term::sunSpecular].x;
+    sum += more * 2 * std::numbers::pi / kSuns;
+  }
+  EXPECT_GT(sum, 0.1);
+  EXPECT_LT(sum, 0.6);
+}
+
+// A shader that scenes share has every lobe, also those that a scene has no tables for.
+TEST_F(HighendTest, TheShaderOfEverySceneHasMicrofacetsToo) {
+  const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);
+  const base::Image lut = makeEnvBrdfLut(GeometryTerm::heightCorrelated);
+  Inputs inputs{.environment = &sky, .lut = &lut, .lights = {makeDirectional(glm::vec3(0.5f, 0.3f, 1), glm::vec3(3))}};
+  const scenes::Scene scene = makeBrushed(0.5f, 0.8f, 0.3f, 0.4f);
+  const ShadedPoint own = shade(scene, inputs);
+  inputs.compilation.budget = {.own = 0, .shares = true};
+  const ShadedPoint shared = shade(scene, inputs);
+  expectNear(shared.color, own.color, 1e-4f, "colour");
+  EXPECT_EQ(shared[Term::sheen], glm::vec3(0));
+  EXPECT_EQ(shared[Term::coatSpecular], glm::vec3(0));
+}
+
 } // namespace
 } // namespace parity::highend

@@ -92,6 +92,16 @@ TEST(MobileFilm, TintIsNearerToTheFilmThanTheBase) {
   EXPECT_GT(errorOfTint(false), 1.6 * errorOfTint(true));
 }
 
+// Thick films are grey: no channel goes on oscillating.
+TEST(MobileFilm, ThickFilmsHaveNoFringes) {
+  for (double thickness = 8000; thickness < 8600; thickness += 50) {
+    const f64::real3 thick = f64::filmTint(1.8, thickness, {0.4, 0.4, 0.4}, 1),
+                     more = f64::filmTint(1.8, 2 * thickness, {0.4, 0.4, 0.4}, 1);
+    EXPECT_NEAR(thick.x, more.x, 1e-3);
+    EXPECT_NEAR(thick.z, more.z, 1e-3);
+  }
+}
+
 // At normal incidence of one wavelength and a film without thickness: the bare base.
 TEST(MobileFilm, ReflectanceIsAirysSum) {
   EXPECT_NEAR(f64::filmReflectance(1.4, 0.3, 0, 0), 0.3, 1e-12);

@@ -8,7 +8,7 @@
 namespace parity::tests {
 namespace {
 
-// Of scenes without coat and sheen, and of those with.
+// Of scenes without lobes beside the base's own, and of those with.
 namespace base {
 #include "shading/terms.glsl"
 } // namespace base
