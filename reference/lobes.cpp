@@ -55,7 +55,7 @@ Lobes::Lobes(const SurfaceSample& sample, const Model& model, double roughness, 
                    .term = model.surface.geometryTerm};
   }
   if (!model.needsAlbedo() || isMirror() || !hasSpecular()) return;
-  const double round = m_stretched ? std::sqrt(m_stretched->alphaT * m_stretched->alphaB) : m_alpha;
+  const double round = m_stretched ? f64::projectedAlpha(m_stretched->alphaT, m_stretched->alphaB, 0, 0) : m_alpha;
   m_row = albedo->row(m_stretched ? std::sqrt(round) : roughness);
   m_lostOnAverage = m_stretched ? lostOnAverage(*m_row, round) : 1 - m_row->average();
   if (model.scattering == Scattering::single || !(m_lostOnAverage > 1e-12)) return;

@@ -46,7 +46,7 @@ struct LobeView {
 //
 // Under a thin film (iridescence) Fresnel's reflectance is mixed with shading/thin_film.glsl's. An anisotropic point
 // has the stretched lobe of shading/anisotropic_brdf.glsl; E(NoV) is its own at the view, E(NoL) and Eavg are those of
-// the round lobe of alpha = sqrt(alphaT alphaB), so that nothing is lost and nothing jumps at anisotropy 0. What no
+// the round lobe that loses about as much (docs/shading.md 11e), so that nothing is lost and nothing jumps at anisotropy 0. What no
 // table has of either is summed at the view (reference/view_albedo.h).
 class Lobes {
 public:

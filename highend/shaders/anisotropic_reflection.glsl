@@ -2,16 +2,12 @@
 // wide as the part of the lobe for which it stands (Krivanek and Colbert 2008, "Real-Time Shading with Filtered Importance
 // Sampling"). Lamps that no level holds are lights.
 
-// Directions of one sum: of a lobe that is sharp across, many. An elongated lobe has narrow strips of few of
-// them; at least four, as the slope along the tangent differs along a strip, too.
-const float kImagePoints = 128.0, kSharpImagePoints = 512.0;
+// Directions of one sum: of a lobe that is sharp across the tangent, many.
+const int kImagePoints = 128, kSharpImagePoints = 512;
 const float kSharpAlpha = 0.005;
-const int kLeastOfStrip = 4, kMostOfStrip = 11;
 // Solid angle of a point over alpha^2 of its level: the lobe of a level has its peak, 1 / (4 pi alpha^2), where this is 4 pi.
 // Slightly sharper levels are nearer to the truth (docs/shading.md 11).
 const float kSolidAngleOfLevel = 18.0;
-// Of the distance of points along the tangent over the lobe's width across it; 1/3 leaves no gaps on builtin:lobes.
-const float kGaps = 0.33;
 
 // Mean over a light of this spread: to second order that of a lobe wider by what half vectors turn (meanOfGgx).
 vec3 lampByAnisotropic(Shader s, vec3 L, float spread) {
@@ -47,18 +43,14 @@ vec3 compactLampsByAnisotropic(Shader s) {
 
 vec3 reflectedByAnisotropic(Shader s) {
   vec2 alpha = alphasOf(s, kLeastAlpha);
-  float points = alpha.y < kSharpAlpha ? kSharpImagePoints : kImagePoints;
-  int perStrip = clamp(int(sqrt(points * alpha.y / alpha.x) + 0.5), kLeastOfStrip, kMostOfStrip);
-  LobeSampling q = lobeSampling(s, alpha, int(points) / perStrip, perStrip);
-  float arcs = sumOfArcs(q);
-  // Where the lobe is sharper across than strips are apart, levels close the gaps between the points.
-  float gaps = max(kGaps * alpha.x / (points * alpha.y), 1.0);
+  int count = alpha.y < kSharpAlpha ? kSharpImagePoints : kImagePoints;
+  LobeSampling q = lobeSampling(s, alpha, count);
   vec3 light = vec3(0.0), weight = vec3(0.0);
-  for (int k = 0; k < q.strips * q.perStrip; ++k) {
-    LobePoint p = lobePoint(q, k / q.perStrip, k % q.perStrip, arcs);
+  for (int i = 0; i < count; ++i) {
+    LobePoint p = lobePoint(q, i);
     if (p.weight <= 0.0) continue;
     vec3 direction = s.T * p.direction.x + s.B * p.direction.y + s.N * p.direction.z;
-    float levelAlpha2 = gaps / max(p.density * kSolidAngleOfLevel, 1e-12);
+    float levelAlpha2 = 1.0 / max(p.density * kSolidAngleOfLevel, 1e-12);
     float mip = min(unclampedMip(sqrt(sqrt(levelAlpha2))), float(kPrefilterRoughestMip));
     vec3 F = p.weight * fresnelOf(s, p.VoH);
     weight += F;

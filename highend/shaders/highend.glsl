@@ -104,9 +104,9 @@ Shader makeShader(Point p, Resolved m) {
   s.film = m.iridescence;
   s.filmIor = m.filmIor;
   s.filmThickness = m.filmThickness;
-  if (isAnisotropic(s)) { // what of isotropic lobes there is, is as wide as both alphas
+  if (isAnisotropic(s)) { // of the round lobe that loses about as much between its facets (docs/shading.md 11e)
     vec2 alpha = alphasOf(s, kLeastAlpha);
-    s.roughness = sqrt(sqrt(alpha.x * alpha.y));
+    s.roughness = sqrt(projectedAlpha(alpha.x, alpha.y, 0.0, 0.0));
   }
 #endif
   if (!hasEnvironment() && kCompensation == kCompensationNone && kDiffuse == kDiffuseLambert && kView == kViewLit) return s;
@@ -122,7 +122,7 @@ Shader makeShader(Point p, Resolved m) {
     if (isAnisotropic(s)) AB = vec2(a.E - a.B, a.B);
     once = s.F0 * AB.x + s.F90 * AB.y;
     if (hasFilm(s)) { // F0 stands for all of the lobe
-      F0 = a.F / max(a.E, 1e-6);
+      F0 = a.F;
       AB = vec2(AB.x + AB.y, 0.0);
       once = F0 * AB.x;
       Favg = meanFresnelOf(s);

@@ -49,83 +49,76 @@ vec3 scatteredAnisotropic(Shader s, vec2 alpha, vec3 L) {
   return (l.z * D * anisotropicVisibility(alpha, v, l)) * fresnelOf(s, saturate(dot(v, h))) * s.factor;
 }
 
-// Directions of the lobe, on strips of the sphere across the tangent. By visible normals: a view of the stretched surface
-// reflects into the cap of the sphere above -v.z evenly (Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with
-// Spherical Caps"). Of a sphere equal strips have equal areas (Archimedes); of the cap a strip has the share that its arc
-// has.
+// Directions of the lobe by visible normals: a view of the stretched surface reflects into the cap of the sphere above -v.z
+// evenly (Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps"). They lie on a Fibonacci lattice.
 struct LobeSampling {
   vec3 v, stretched; // the view, and of the stretched surface: local, unit
   vec2 alpha;
-  int strips, perStrip;
-  float G1;          // masking of the view
+  float count;
+  float G1; // masking of the view
 };
 
 struct LobePoint {
   vec3 direction; // local, unit
-  float weight;   // G2 / G1 times its share; 0 below the surface
+  float weight;   // G2 / G1 over the count; 0 below the surface
   float VoH;
-  float density;  // of the lobe there, per steradian, over its share: 1 / the solid angle that the point stands for
+  float density;  // of the lobe there, per steradian, times the count: 1 / the solid angle that the point stands for
 };
 
-LobeSampling lobeSampling(Shader s, vec2 alpha, int strips, int perStrip) {
+LobeSampling lobeSampling(Shader s, vec2 alpha, int count) {
   LobeSampling q;
   q.v = localView(s);
-  q.stretched = normalize(vec3(alpha * q.v.xy, q.v.z));
+  float stretch = anisotropicLength(alpha.x, alpha.y, q.v.x, q.v.y, q.v.z);
+  q.stretched = vec3(alpha * q.v.xy, q.v.z) / stretch;
   q.alpha = alpha;
-  q.strips = strips;
-  q.perStrip = perStrip;
-  q.G1 = 2.0 * q.v.z / (q.v.z + length(vec3(alpha * q.v.xy, q.v.z)));
+  q.count = float(count);
+  q.G1 = 2.0 * q.v.z / (q.v.z + stretch);
   return q;
 }
 
-float arcOf(LobeSampling q, float x) {
-  float radius = sqrt(max(1.0 - x * x, 0.0));
-  return q.stretched.z >= radius ? kPi : acos(clamp(-q.stretched.z / max(radius, 1e-6), -1.0, 1.0));
-}
-
-float stripAt(LobeSampling q, int strip) { return (2.0 * float(strip) + 1.0) / float(q.strips) - 1.0; }
-
-float sumOfArcs(LobeSampling q) {
-  float sum = 0.0;
-  for (int k = 0; k < q.strips; ++k) sum += arcOf(q, stripAt(q, k));
-  return sum * float(q.perStrip);
-}
-
-LobePoint lobePoint(LobeSampling q, int strip, int place, float arcs) {
-  float x = stripAt(q, strip), arc = arcOf(q, x), radius = sqrt(1.0 - x * x), share = arc / arcs;
-  float shift = q.perStrip > 1 ? ((strip & 1) == 0 ? 0.25 : 0.75) : 0.5;
-  float angle = arc * (2.0 * (float(place) + shift) / float(q.perStrip) - 1.0);
-  vec3 sum = vec3(x, radius * sin(angle), radius * cos(angle)) + q.stretched;
+LobePoint lobePoint(LobeSampling q, int i) {
+  float z = (1.0 - (float(i) + 0.5) / q.count) * (1.0 + q.stretched.z) - q.stretched.z;
+  float radius = sqrt(max(1.0 - z * z, 0.0)), turn = 2.0 * kPi * fract(float(i) * 0.618033989);
+  vec3 sum = vec3(radius * cos(turn), radius * sin(turn), z) + q.stretched;
   vec3 h = normalize(vec3(q.alpha * sum.xy, max(sum.z, 1e-6)));
   LobePoint p;
   p.VoH = dot(q.v, h);
   p.direction = 2.0 * p.VoH * h - q.v;
   p.VoH = saturate(p.VoH);
-  float D = D_GGXAnisotropic(q.alpha.x, q.alpha.y, h.x, h.y, h.z);
-  p.density = q.G1 * D / (4.0 * q.v.z * share);
-  p.weight = p.direction.z <= 0.0 ? 0.0 : share * 4.0 * q.v.z * p.direction.z * anisotropicVisibility(q.alpha, q.v, p.direction) / q.G1;
+  float perPoint = q.G1 / (4.0 * q.v.z), V = anisotropicVisibility(q.alpha, q.v, p.direction);
+  p.density = q.count * perPoint * D_GGXAnisotropic(q.alpha.x, q.alpha.y, h.x, h.y, h.z);
+  p.weight = p.direction.z <= 0.0 ? 0.0 : p.direction.z * V / (q.count * perPoint);
   return p;
 }
 
 // What of even light the lobe reflects once.
 struct LobeAlbedo {
-  float E;  // at F = 1
-  float B;  // of Fresnel's weight
-  vec3 F;   // of fresnelOf
+  float E, B; // at F = 1, and of Fresnel's weight: of an anisotropic lobe
+  vec3 F;     // mean of fresnelOf over the lobe, where there is a film
 };
 
-const int kAlbedoStrips = 6;
+const int kAlbedoPoints = 233, kFilmPoints = 55;
 
 LobeAlbedo lobeAlbedo(Shader s) {
-  LobeSampling q = lobeSampling(s, alphasOf(s, kLeastAlpha), kAlbedoStrips, kAlbedoStrips);
-  float arcs = sumOfArcs(q);
   LobeAlbedo a = LobeAlbedo(0.0, 0.0, vec3(0.0));
-  for (int k = 0; k < kAlbedoStrips * kAlbedoStrips; ++k) {
-    LobePoint p = lobePoint(q, k / kAlbedoStrips, k % kAlbedoStrips, arcs);
-    a.E += p.weight;
-    a.B += p.weight * fresnelWeight(p.VoH);
-    a.F += p.weight * fresnelOf(s, p.VoH);
+  vec2 alpha = alphasOf(s, kLeastAlpha);
+  if (isAnisotropic(s)) {
+    LobeSampling q = lobeSampling(s, alpha, kAlbedoPoints);
+    for (int i = 0; i < kAlbedoPoints; ++i) {
+      LobePoint p = lobePoint(q, i);
+      a.E += p.weight;
+      a.B += p.weight * fresnelWeight(p.VoH);
+    }
+  }
+  if (hasFilm(s)) {
+    LobeSampling q = lobeSampling(s, alpha, kFilmPoints);
+    float E = 0.0;
+    for (int i = 0; i < kFilmPoints; ++i) {
+      LobePoint p = lobePoint(q, i);
+      E += p.weight;
+      a.F += p.weight * fresnelOf(s, p.VoH);
+    }
+    a.F /= max(E, 1e-6);
   }
   return a;
 }
-

@@ -40,9 +40,10 @@ TEST_F(LobesEnergyTest, WhiteFurnaceStaysWhite) {
               if ((layers & 2) != 0) sample.sheenColor = glm::vec3(0.6f), sample.sheenRoughness = 0.4f;
               samples.push_back(sample);
             }
+  // Few points of a lobe that is all but a line may agree by chance.
   const auto shaded =
       shade(samples, inputsOf(&white()),
-            {.model = {}, .integral = {.relativeError = 4e-4, .minSamples = 128, .maxSamples = 1 << 14}});
+            {.model = {}, .integral = {.relativeError = 4e-4, .minSamples = 1024, .maxSamples = 1 << 14}});
   double worst = 0, squares = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
     for (int c = 0; c < 3; ++c) {

@@ -266,5 +266,26 @@ TEST_F(StretchedLobeTest, NothingOfAnyAnisotropyIsNanOrNegative) {
   }
 }
 
+// What Kulla and Conty's lobe takes for E(NoL): the round lobe of the projected alphas' mean square.
+TEST(StretchedLobe, LosesOnAverageAboutWhatItsRoundLobeLoses) {
+  const auto meanLoss = [](double alphaT, double alphaB) {
+    const StretchedLobe lobe{.alphaT = alphaT, .alphaB = alphaB, .term = GeometryTerm::heightCorrelated};
+    double sum = 0;
+    constexpr int kCosines = 16, kTurns = 6;
+    for (int i = 0; i < kCosines; ++i)
+      for (int k = 0; k < kTurns; ++k)
+        sum +=
+            integrateView(lobe, viewAlong(std::sqrt((i + 0.5) / kCosines), (k + 0.5) * pi / (2 * kTurns)), [](double) {
+              return glm::dvec3(1);
+            }).E;
+    return 1 - sum / (kCosines * kTurns);
+  };
+  for (const auto& [alpha, strength] : {std::pair{1e-4, 0.8}, {0.04, 0.3}, {0.04, 1.0}, {0.16, 0.8}, {0.5, 0.5}}) {
+    const double alphaT = shading::f64::anisotropicAlpha(alpha, strength),
+                 round = shading::f64::projectedAlpha(alphaT, alpha, 0, 0), lost = meanLoss(alphaT, alpha);
+    EXPECT_NEAR(meanLoss(round, round), lost, 0.06 * lost + 1e-3) << alpha << " " << strength;
+  }
+}
+
 } // namespace
 } // namespace parity::reference
