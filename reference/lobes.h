@@ -46,8 +46,8 @@ struct LobeView {
 //
 // Under a thin film (iridescence) Fresnel's reflectance is mixed with shading/thin_film.glsl's. An anisotropic point
 // has the stretched lobe of shading/anisotropic_brdf.glsl; E(NoV) is its own at the view, E(NoL) and Eavg are those of
-// the round lobe that loses about as much (docs/shading.md 11e), so that nothing is lost and nothing jumps at anisotropy 0. What no
-// table has of either is summed at the view (reference/view_albedo.h).
+// the round lobe that loses about as much (docs/shading.md 11e), so that nothing is lost and nothing jumps at
+// anisotropy 0. What no table has of either is summed at the view (reference/view_albedo.h).
 class Lobes {
 public:
   // albedo: of the model's geometry term and curve; may be null where the model does not need one.

@@ -19,6 +19,7 @@ CONSTANT int kIridescenceTint = 1;
 // stands for both has the geometric mean of them.
 struct MobileAnisotropy {
   real Roughness; // of that round lobe: (alphaT alphaB)^(1/4)
+  real readRoughness; // of the level that is read: alpha is at least alphaT / 4, as one read is one spot of a streak
   real share;     // of the bent normal
   real32 squeeze; // alphaB / alphaT
 };
@@ -29,7 +30,9 @@ FN MobileAnisotropy mobileAnisotropy(real Roughness, real strength) {
   PRECISE real32 along = alpha + (R32(1.0) - alpha) * s2;
   PRECISE real32 share = (along - alpha) / (along + alpha);
   MobileAnisotropy m;
-  m.Roughness = real(sqrt(sqrt(alpha * along)));
+  real32 mean = sqrt(alpha * along);
+  m.Roughness = real(sqrt(mean));
+  m.readRoughness = real(sqrt(max(mean, R32(0.25) * along)));
   m.share = real(share);
   m.squeeze = alpha / along;
   return m;

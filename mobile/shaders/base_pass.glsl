@@ -84,7 +84,9 @@ void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
 #ifdef PARITY_LOBES
   if (showsAnisotropy() && s.microfacets.isAnisotropic) {
     MobileFrame bent = s.microfacets.bent;
-    direction = kIsRefit ? refitDirection(bent.N, bent.V, s.microfacets.bentNoV, s.tap.lean) : bent.reflection;
+    RefitTap tap = refitTap(s.microfacets.readRoughness, s.microfacets.bentNoV);
+    direction = kIsRefit ? refitDirection(bent.N, bent.V, s.microfacets.bentNoV, tap.lean) : bent.reflection;
+    mip = kIsRefit ? tap.mip : mipFromRoughness(s.microfacets.readRoughness);
   }
 #endif
   real scale = captureScale(kCaptureScale, s.IndirectIrradiance, averageBrightnessOf(s.capture),

@@ -12,6 +12,7 @@ struct Microfacets {
   float squeeze;
   MobileFrame bent; // about which the environment is read
   real bentNoV;
+  real readRoughness;
 };
 
 // The material's roughness becomes that of the round lobe, and its specular colour that under the film.
@@ -22,6 +23,7 @@ Microfacets makeMicrofacets(Resolved r, inout MobileMaterial m, MobileFrame fram
   f.squeeze = 1.0;
   f.bent = frame;
   f.bentNoV = NoV;
+  f.readRoughness = m.Roughness;
   if (showsFilm() && !fullyRough && r.iridescence > 0.0) {
     real share = real(r.iridescence);
     m.DielectricSpecular = underFilm(m.DielectricSpecular, filmTint(r.filmIor, r.filmThickness, m.DielectricSpecular, NoV), share);
@@ -35,6 +37,7 @@ Microfacets makeMicrofacets(Resolved r, inout MobileMaterial m, MobileFrame fram
     f.T = r.tangent;
     f.B = cross(frame.N32, r.tangent);
     f.squeeze = a.squeeze;
+    f.readRoughness = a.readRoughness;
     f.bent = mobileFrame(bentNormal(frame.N32, f.B, frame.V32, float(a.share)), frame.V32);
     f.bentNoV = viewCosine(kEnvironmentBrdf, f.bent);
   }

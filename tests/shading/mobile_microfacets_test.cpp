@@ -22,6 +22,7 @@ TEST(MobileAnisotropy, RoundLobeHasTheGeometricMeanOfBothAlphas) {
       const double alpha = roughness * roughness, along = f64::anisotropicAlpha(alpha, strength);
       const f64::MobileAnisotropy a = f64::mobileAnisotropy(roughness, strength);
       EXPECT_NEAR(std::pow(a.Roughness, 4), alpha * along, 1e-12);
+      EXPECT_NEAR(std::pow(a.readRoughness, 4), std::max(alpha * along, along * along / 16), 1e-12);
       EXPECT_NEAR(a.squeeze, alpha / along, 1e-12);
       EXPECT_NEAR(a.share, (along - alpha) / (along + alpha), 1e-12);
     }
