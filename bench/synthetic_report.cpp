@@ -151,7 +151,7 @@ report::SceneResult makeScene(int scene, const ReportSize& size) {
   result.sun = "30,50,4";
   result.conditions = {{"environment", "0f3a", compare::ActsOn::figures, "studio_small_05_1k.hdr (content 0f3a)"},
                        {"environment rotation", "0"}};
-  if (scene % 50 == 0) result.warnings = {"KHR_materials_transmission is not supported: drawn opaque"};
+  if (scene % 50 == 0) result.warnings = {"KHR_materials_subsurface is not supported: drawn opaque"};
   for (int pass = 0; pass < 29; ++pass) {
     const bool isSkipped = pass % 2 == 1;
     result.passes.push_back({fmt::format("pass {}", pass), "samples", isSkipped ? 0u : 100000u,

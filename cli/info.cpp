@@ -46,6 +46,14 @@ Json materialsJson(const scenes::Scene& scene, const scenes::SceneInfo& info) {
                     {"iridescence", material.iridescence},
                     {"iridescenceIor", material.iridescenceIor},
                     {"iridescenceThickness", {material.iridescenceThicknessMin, material.iridescenceThicknessMax}},
+                    {"transmission", material.transmission},
+                    {"diffuseTransmission", material.diffuseTransmission},
+                    {"diffuseTransmissionColor", toJson(material.diffuseTransmissionColor)},
+                    {"ior", material.ior},
+                    {"thickness", material.thickness},
+                    {"attenuationDistance", material.attenuationDistance},
+                    {"attenuationColor", toJson(material.attenuationColor)},
+                    {"dispersion", material.dispersion},
                     {"alphaMode", kAlphaModes[static_cast<int>(material.alphaMode)]},
                     {"alphaCutoff", material.alphaCutoff},
                     {"textures", info.materials[m].textures},
@@ -116,6 +124,17 @@ std::string withValues(const std::string& flag, const scenes::Material& m) {
     return fmt::format("iridescence {:.3g} of index {:.3g} and {}{:.4g} nm", m.iridescence, m.iridescenceIor, from,
                        m.iridescenceThicknessMax);
   }
+  if (flag == "transmission") return fmt::format("transmission {:.3g}", m.transmission);
+  if (flag == "volume")
+    return fmt::format("volume of thickness {:.3g} and index {:.3g}{}{}", m.thickness, m.ior,
+                       m.attenuationDistance > 0
+                           ? fmt::format(", ({:.3g}, {:.3g}, {:.3g}) over {:.3g} m", m.attenuationColor.x,
+                                         m.attenuationColor.y, m.attenuationColor.z, m.attenuationDistance)
+                           : "",
+                       m.dispersion > 0 ? fmt::format(", dispersion {:.3g}", m.dispersion) : "");
+  if (flag == "diffuse transmission")
+    return fmt::format("diffuse transmission {:.3g} of ({:.3g}, {:.3g}, {:.3g})", m.diffuseTransmission,
+                       m.diffuseTransmissionColor.x, m.diffuseTransmissionColor.y, m.diffuseTransmissionColor.z);
   return flag;
 }
 

@@ -124,6 +124,7 @@ public:
     Inputs mine{.environment = environmentOf(inputs),
                 .lut = nullptr,
                 .sheenTable = sheenTableOf(inputs, own),
+                .transmits = (inputs.buffers.lobes() & gpu::kFeatureTransmission) != 0,
                 .lights = inputs.light.lights,
                 .shadows = shadowsOf(inputs),
                 .baked = bakedOf(inputs),

@@ -168,14 +168,16 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   constexpr std::uint32_t kLayers = gpu::kFeatureCoat | gpu::kFeatureSheen;
   assert((scene.lobes() & kLayers & ~inputs.hiddenFeatures) == 0 || inputs.sheenTable);
   program.hiddenFeatures = inputs.hiddenFeatures;
+  m_readsBackdrop = (scene.lobes() & ~inputs.hiddenFeatures & gpu::kFeatureTransmission) != 0;
   program.expectedPixels = inputs.expectedPixels;
   program.compilation = inputs.compilation;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
 }
 
 std::size_t Renderer::countSamplers(const gpu::Permutation& permutation) const {
-  const bool lit = (permutation.mustFeatures & gpu::kFeatureUnlit) == 0;
-  return gpu::countTextures(permutation.textures) + (lit ? m_ownSamplers : 0);
+  const bool lit = (permutation.mustFeatures & gpu::kFeatureUnlit) == 0,
+             readsBackdrop = lit && (permutation.mayFeatures & gpu::kFeatureTransmission) != 0;
+  return gpu::countTextures(permutation.textures) + (lit ? m_ownSamplers : 0) + readsBackdrop;
 }
 
 paths::RendererWork Renderer::work() const {

@@ -17,6 +17,7 @@ struct Inputs {
   const gpu::EnvironmentMaps* environment = nullptr; // null: none
   const base::Image* lut = nullptr; // makeEnvBrdfLut of the same term and curve; null only where needsLut says so
   const base::Image* sheenTable = nullptr; // makeSheenTable of the lut's size; where the scene has coat or sheen
+  bool transmits = false;                  // the scene has transmission
   std::vector<scenes::Light> lights = {};  // all of the scene's, and the sun
   gpu::ShadowMaps* shadows = nullptr;      // of these lights, fitted to what is shaded; null: nothing casts
   // Read where the scene's buffers know of a lightmap, in the encodings of this path. Its sun shadow is that of the
@@ -43,6 +44,8 @@ public:
     m_pass->setLightColor(m_lights[light].place, on ? m_lights[light].color : glm::vec3(0));
   }
   const gpu::ShadingPass& pass() const override { return *m_pass; }
+  void setBackdrop(const gpu::Backdrop* backdrop) override { m_pass->setBackdrop(backdrop); }
+  bool readsBackdrop() const override { return m_readsBackdrop; }
   // The environment's and the table's are among them.
   std::size_t countSamplers(const gpu::Permutation& permutation) const override;
   // Lists: one for each group of pixels so far; 0 where all lights are asked for every pixel.
@@ -53,7 +56,8 @@ public:
 
   // Whether the table is read at all with these inputs.
   static bool needsLut(const Inputs& inputs, const Options& options) {
-    return inputs.environment != nullptr || inputs.sheenTable != nullptr || inputs.view != kViewLit ||
+    return inputs.environment != nullptr || inputs.sheenTable != nullptr || inputs.transmits ||
+           inputs.view != kViewLit ||
            ((!inputs.lights.empty() || inputs.baked) &&
             (options.compensation != Compensation::none || options.model.diffuse == DiffuseLobe::balanced));
   }
@@ -66,7 +70,7 @@ private:
   std::vector<InputLight> m_lights; // in the inputs' order
   std::size_t m_ownSamplers = 0;    // besides the materials'
   gpu::ShadowMaps* m_shadows = nullptr;
-  bool m_hasLut = false;
+  bool m_hasLut = false, m_readsBackdrop = false;
   gpu::DeviceImage m_lut;
   std::unique_ptr<LightCulling> m_culling; // where there are lights enough
   std::unique_ptr<gpu::ShadingPass> m_pass;

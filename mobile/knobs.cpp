@@ -8,7 +8,7 @@ namespace parity::mobile {
 
 namespace {
 
-static_assert(base::memberCount<Options>() == 22 && base::memberCount<Mixing>() == 3, "a new member needs a row");
+static_assert(base::memberCount<Options>() == 24 && base::memberCount<Mixing>() == 3, "a new member needs a row");
 
 constexpr const char* kPresets = "set by the preset";
 
@@ -98,6 +98,19 @@ void addLook(base::KnobTable<Options>& t) {
       .otherwise(kPresets)
       .costs(KnobStage::shading)
       .needsScene("iridescence");
+  t.choice<&Options::transmission>("mobile-transmission", transmissionFormNames(),
+                                   "Mobile path: glass; alpha: as a blended surface;\nrefracted: one read of the "
+                                   "environment;\nmixed: both for thin walls")
+      .titled("mobile transmission")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("transmission");
+  t.choice<&Options::diffuseTransmission>("mobile-diffuse-transmission", diffuseTransmissionFormNames(),
+                                          "Mobile path: diffuse light through thin surfaces, such as leaves")
+      .titled("mobile diffuse transmission")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("diffuse transmission");
   t.flag<&Options::localLights>("mobile-local-lights", "Mobile path: shade up to four local lights for each object")
       .titled("mobile local lights")
       .otherwise(kPresets)

@@ -19,6 +19,7 @@ const std::vector<Options>& presets() {
                                      .directLobe = DirectLobe::dApprox,
                                      .captureScale = CaptureScale::full,
                                      .coat = CoatForm::none,
+                                     .transmission = TransmissionForm::none,
                                      .localLights = false,
                                      .roughnessFloor = 0},
                                     {},
@@ -32,6 +33,8 @@ const std::vector<Options>& presets() {
                                      .sheen = SheenForm::fit,
                                      .anisotropy = AnisotropyForm::bent,
                                      .iridescence = IridescenceForm::tint,
+                                     .transmission = TransmissionForm::mixed,
+                                     .diffuseTransmission = DiffuseTransmissionForm::lambert,
                                      .roughnessFloor = 0}};
     for (const Options& added : addedPresets()) {
       if (std::ranges::count(presets, added.preset, &Options::preset) > 0)
@@ -109,6 +112,14 @@ const std::vector<std::string>& anisotropyFormNames() {
 }
 const std::vector<std::string>& iridescenceFormNames() {
   static const std::vector<std::string> names = {"none", "tint"};
+  return names;
+}
+const std::vector<std::string>& transmissionFormNames() {
+  static const std::vector<std::string> names = {"none", "alpha", "refracted", "mixed"};
+  return names;
+}
+const std::vector<std::string>& diffuseTransmissionFormNames() {
+  static const std::vector<std::string> names = {"none", "lambert"};
   return names;
 }
 

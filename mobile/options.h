@@ -56,6 +56,14 @@ enum class AnisotropyForm { none, bent };
 // A thin film: none shows the base alone; or a tint of its specular colour, interference at three wavelengths.
 enum class IridescenceForm { none, tint };
 
+// Light that passes through: none shows the base alone, opaque; the picture behind by the share of the light, as
+// blended surfaces; one fetch of the environment in the refracted direction; or of thin walls both, the picture tinted
+// and fading out with roughness.
+enum class TransmissionForm { none, alpha, refracted, mixed };
+
+// Diffuse light that passes through: none, or the other side's by Lambert's lobe.
+enum class DiffuseTransmissionForm { none, lambert };
+
 struct Options {
   std::string preset = "ue4-2020"; // the name of the set that the knobs began as
   EnvironmentBrdf environmentBrdf = EnvironmentBrdf::ue4;
@@ -68,7 +76,9 @@ struct Options {
   SheenForm sheen = SheenForm::none;                   // Unreal Engine 4's mobile renderer has no cloth
   AnisotropyForm anisotropy = AnisotropyForm::none;    // nor brushed metal
   IridescenceForm iridescence = IridescenceForm::none; // nor thin films
-  bool localLights = true;                             // up to four an object; false: all are baked
+  TransmissionForm transmission = TransmissionForm::alpha;
+  DiffuseTransmissionForm diffuseTransmission = DiffuseTransmissionForm::none;
+  bool localLights = true;          // up to four an object; false: all are baked
   bool spotShadow = false;          // of the one spot light that is the brightest (mobile/light_choice.h)
   float spotShadowSharpen = 1;      // about the middle of its soft edge, 1 to 8 (sharpenedShadow)
   float spotShadowFade = 1;         // how much of it is seen, 0 to 1
@@ -93,15 +103,17 @@ Options presetByName(const std::string& name);
 CaptureScale captureScaleOf(const Options& options, bool hasCaptures);
 
 // Names as the command line and reports have them, in the order of the enumerators.
-const std::vector<std::string>& environmentBrdfNames(); // "karis2014", "ue4", "refit", those of addPreset
-const std::vector<std::string>& directLobeNames();      // "d-approx", "calc-specular", "refit", "phong-approx"
-const std::vector<std::string>& precisionNames();       // "fp16", "fp32"
-const std::vector<std::string>& captureScaleNames();    // "auto", "sky", "mixing", "full", "occlusion"
-const std::vector<std::string>& captureEncodingNames(); // "rgbm", "rgb9e5", "fp16"
-const std::vector<std::string>& skyFormNames();         // "4", "9", "tinted"
-const std::vector<std::string>& coatFormNames();        // "none", "ue4", "refit"
-const std::vector<std::string>& sheenFormNames();       // "none", "fit"
-const std::vector<std::string>& anisotropyFormNames();  // "none", "bent"
-const std::vector<std::string>& iridescenceFormNames(); // "none", "tint"
+const std::vector<std::string>& environmentBrdfNames();         // "karis2014", "ue4", "refit", those of addPreset
+const std::vector<std::string>& directLobeNames();              // "d-approx", "calc-specular", "refit", "phong-approx"
+const std::vector<std::string>& precisionNames();               // "fp16", "fp32"
+const std::vector<std::string>& captureScaleNames();            // "auto", "sky", "mixing", "full", "occlusion"
+const std::vector<std::string>& captureEncodingNames();         // "rgbm", "rgb9e5", "fp16"
+const std::vector<std::string>& skyFormNames();                 // "4", "9", "tinted"
+const std::vector<std::string>& coatFormNames();                // "none", "ue4", "refit"
+const std::vector<std::string>& sheenFormNames();               // "none", "fit"
+const std::vector<std::string>& anisotropyFormNames();          // "none", "bent"
+const std::vector<std::string>& iridescenceFormNames();         // "none", "tint"
+const std::vector<std::string>& transmissionFormNames();        // "none", "alpha", "refracted", "mixed"
+const std::vector<std::string>& diffuseTransmissionFormNames(); // "none", "lambert"
 
 } // namespace parity::mobile

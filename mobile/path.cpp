@@ -53,7 +53,9 @@ std::uint32_t shownLobes(const Options& options) {
   return (options.coat != CoatForm::none ? gpu::kFeatureCoat : 0u) |
          (options.sheen != SheenForm::none ? gpu::kFeatureSheen : 0u) |
          (options.anisotropy != AnisotropyForm::none ? gpu::kFeatureAnisotropy : 0u) |
-         (options.iridescence != IridescenceForm::none ? gpu::kFeatureIridescence : 0u);
+         (options.iridescence != IridescenceForm::none ? gpu::kFeatureIridescence : 0u) |
+         (options.transmission != TransmissionForm::none ? gpu::kFeatureTransmission : 0u) |
+         (options.diffuseTransmission != DiffuseTransmissionForm::none ? gpu::kFeatureDiffuseTransmission : 0u);
 }
 
 // With notes on what casts no shadow.

@@ -40,6 +40,12 @@ static_assert(is(SheenForm::none, numbers::kSheenNone) && is(SheenForm::fit, num
 static_assert(is(AnisotropyForm::none, numbers::kAnisotropyNone) && is(AnisotropyForm::bent, numbers::kAnisotropyBent));
 static_assert(is(IridescenceForm::none, numbers::kIridescenceNone) &&
               is(IridescenceForm::tint, numbers::kIridescenceTint));
+static_assert(is(TransmissionForm::none, numbers::kTransmissionNone) &&
+              is(TransmissionForm::alpha, numbers::kTransmissionAlpha) &&
+              is(TransmissionForm::refracted, numbers::kTransmissionRefracted) &&
+              is(TransmissionForm::mixed, numbers::kTransmissionMixed));
+static_assert(is(DiffuseTransmissionForm::none, numbers::kDiffuseTransmissionNone) &&
+              is(DiffuseTransmissionForm::lambert, numbers::kDiffuseTransmissionLambert));
 // The engine's defaults, which the high-end path has too.
 constexpr Mixing kEngineMixing;
 static_assert(kEngineMixing.begin == numbers::kMixingBegin && kEngineMixing.end == numbers::kMixingEnd &&
@@ -66,7 +72,9 @@ std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t vie
           static_cast<std::uint32_t>(options.coat),
           static_cast<std::uint32_t>(options.sheen),
           static_cast<std::uint32_t>(options.anisotropy),
-          static_cast<std::uint32_t>(options.iridescence)};
+          static_cast<std::uint32_t>(options.iridescence),
+          static_cast<std::uint32_t>(options.transmission),
+          static_cast<std::uint32_t>(options.diffuseTransmission)};
 }
 
 // kBaked... bits of what is read.
@@ -193,9 +201,16 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                 .sheen = options.sheen != SheenForm::none,
                 .anisotropy = options.anisotropy != AnisotropyForm::none,
                 .iridescence = options.iridescence != IridescenceForm::none,
+                .transmission = options.transmission != TransmissionForm::none,
+                .thickness = options.transmission == TransmissionForm::refracted ||
+                             options.transmission == TransmissionForm::mixed,
+                .diffuseTransmission = options.diffuseTransmission != DiffuseTransmissionForm::none,
+                .backdrop =
+                    options.transmission == TransmissionForm::alpha || options.transmission == TransmissionForm::mixed,
                 .coatNormal = options.coat == CoatForm::refit ||
                               (options.coat != CoatForm::none && scene.specularAa() == gpu::SpecularAa::toksvig),
                 .normalVariance = scene.specularAa() == gpu::SpecularAa::toksvig};
+  m_readsBackdrop = m_samplers.backdrop && (scene.lobes() & gpu::kFeatureTransmission) != 0;
   program.constants = constantsOf(options, inputs.view, (spot ? kShadowOfSpot : 0) | (hasSunShadow ? kShadowOfSun : 0),
                                   baked, gpu::falloffsOf(lights));
   program.everySceneConstants = constantsOf(options, inputs.view,

@@ -40,6 +40,8 @@ public:
     return m_pass->shade(surface, camera);
   }
   const gpu::ShadingPass& pass() const override { return *m_pass; }
+  void setBackdrop(const gpu::Backdrop* backdrop) override { m_pass->setBackdrop(backdrop); }
+  bool readsBackdrop() const override { return m_readsBackdrop; }
   // What the optimizer finds to be unused is not taken off.
   std::size_t countSamplers(const gpu::Permutation& permutation) const override {
     return mobile::countSamplers(permutation, m_samplers);
@@ -58,6 +60,7 @@ public:
 private:
   gpu::ShadowMaps* m_shadows = nullptr; // none where no light has one
   SamplerInputs m_samplers;
+  bool m_readsBackdrop = false;
   std::size_t m_lightChoices = 0;
   std::vector<std::string> m_notes;
   std::unique_ptr<gpu::ShadingPass> m_pass;

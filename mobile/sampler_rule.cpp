@@ -23,6 +23,9 @@ std::uint32_t readSlots(const SamplerInputs& inputs, bool isFullyRough) {
   if (!inputs.sheen || isFullyRough) slots &= ~gpu::kSheenTextures;
   if (!inputs.anisotropy || isFullyRough) slots &= ~gpu::kAnisotropyTextures;
   if (!inputs.iridescence || isFullyRough) slots &= ~gpu::kIridescenceTextures;
+  if (!inputs.transmission || isFullyRough) slots &= ~gpu::kTransmissionTextures;
+  if (!inputs.diffuseTransmission || isFullyRough) slots &= ~gpu::kDiffuseTransmissionTextures;
+  if (!inputs.thickness || isFullyRough) slots &= ~gpu::kThicknessTextures;
   return slots;
 }
 
@@ -30,13 +33,15 @@ std::uint32_t readSlots(const SamplerInputs& inputs, bool isFullyRough) {
 
 std::size_t countSamplers(const scenes::Material& material, const SamplerInputs& inputs) {
   return gpu::countSamplers(material, inputs.normalVariance, readSlots(inputs, material.fullyRough)) +
-         countShared(inputs, !material.unlit, material.fullyRough);
+         countShared(inputs, !material.unlit, material.fullyRough) +
+         (inputs.backdrop && material.hasTransmission() && !material.fullyRough);
 }
 
 std::size_t countSamplers(const gpu::Permutation& permutation, const SamplerInputs& inputs) {
   const bool isFullyRough = (permutation.mustFeatures & gpu::kFeatureFullyRough) != 0;
   return gpu::countTextures(permutation.textures & readSlots(inputs, isFullyRough)) +
-         countShared(inputs, (permutation.mustFeatures & gpu::kFeatureUnlit) == 0, isFullyRough);
+         countShared(inputs, (permutation.mustFeatures & gpu::kFeatureUnlit) == 0, isFullyRough) +
+         (inputs.backdrop && (permutation.mayFeatures & gpu::kFeatureTransmission) != 0 && !isFullyRough);
 }
 
 std::string describeExcess(const scenes::Material& material, const SamplerInputs& inputs, std::size_t limit) {

@@ -18,6 +18,8 @@ struct SamplerInputs {
   bool shadowMap = false;                   // a spot light or the sun has one: all lie in one image
   bool lightmap = false, sunShadow = false; // baked, for some object
   bool coat = false, sheen = false, anisotropy = false, iridescence = false; // the preset reads their textures
+  bool transmission = false, thickness = false, diffuseTransmission = false;
+  bool backdrop = false;       // materials with transmission read the picture behind
   bool coatNormal = false;     // and the coat's normal map, for its direction or its spread
   bool normalVariance = false; // normal maps carry the spread of their normals (gpu/surface/normal_variance.h)
 };

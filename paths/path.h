@@ -100,6 +100,10 @@ public:
   virtual const gpu::ShadingPass& pass() const = 0;
   // Pairs of an image and a sampler that a permutation binds.
   virtual std::size_t countSamplers(const gpu::Permutation& permutation) const = 0;
+  // What lies behind surfaces that light passes through, as this path shows it, from now on; null: nothing. It must
+  // outlive the renderer or be taken off.
+  virtual void setBackdrop(const gpu::Backdrop*) {}
+  virtual bool readsBackdrop() const { return false; } // of some material of the scene
   // "needs 9 samplers on mobile, of at most 8"; empty: the material needs no more than the path allows.
   virtual std::string describeExcess(const scenes::Material&) const { return {}; }
   // Takes the light at this place of Inputs::light out of what is shaded from now on, or puts it back; of a path that

@@ -45,7 +45,8 @@ class Vertex {
 public:
   Vertex(const Surroundings& around, const Visibility::Hit& hit, const glm::dvec3& direction)
       : m_around(around), m_point(lighting::surfacePointAt(around.visibility.scene(), hit, direction)),
-        m_sample(sampleAt(around.visibility.scene(), hit, m_point, direction)), m_fromHere(around.visibility, m_point),
+        m_sample(sampleAt(around.visibility.scene(), hit, m_point, direction)),
+        m_fromHere(around.castsShadows ? PointVisibility(around.visibility, m_point) : PointVisibility()),
         m_lobes(m_sample, around.model, m_sample.roughness, around.albedo), m_reflection(m_sample, m_lobes, m_fromHere),
         m_glossy(m_lobes.hasSpecular() && !m_lobes.isMirror()) {
     const double specular = m_lobes.hasSpecular() ? luminanceOf(m_reflection.mirrorReflectance()) : 0;
@@ -144,7 +145,7 @@ std::optional<EmitterLight> sampleEmitter(const Surroundings& around, const Poin
   if (!(cosine > 0) || !fromHere.isAboveHorizon(direction) || around.surfaces.isHole(sample.hit)) return std::nullopt;
   // As far as the emitter's own triangle, less what rounding may be wrong by.
   const double margin = 2 * around.visibility.surfaceOffset(sample.position) / std::max(cosine, 1e-3);
-  if (around.visibility.isOccluded(fromHere.origin(), direction, distance - margin)) return std::nullopt;
+  if (!fromHere.isOpen(direction, distance - margin)) return std::nullopt;
   return EmitterLight{direction, around.surfaces.emission(sample.hit), sample.pdf * d2 / cosine};
 }
 

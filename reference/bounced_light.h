@@ -23,6 +23,7 @@ struct Surroundings {
   const std::vector<scenes::Light>& lights;
   const Model& model;
   const DirectionalAlbedo* albedo = nullptr; // where the model needs one
+  bool castsShadows = true;                  // else what rays meet is lit as if it were alone; then for one bounce
 };
 
 // Whether a ray sees the surface that it meets: not the back of what has but one side, which is black.

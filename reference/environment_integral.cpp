@@ -24,8 +24,8 @@ using scenes::luminanceOf;
 class EnvironmentIntegrator {
 public:
   EnvironmentIntegrator(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
-                        std::uint32_t seed, const lighting::Visibility* visibility)
-      : m_lobes(lobes), m_environment(environment), m_fromHere(visibility, sample), m_isShadowed(visibility != nullptr),
+                        std::uint32_t seed, const PointVisibility& fromHere)
+      : m_lobes(lobes), m_environment(environment), m_fromHere(fromHere), m_isShadowed(fromHere.hasHorizon()),
         m_normal(glm::normalize(glm::dvec3(sample.normal))),
         m_frame(lobes.isStretched()
                     ? Frame(environment.toPanorama(m_normal), environment.toPanorama(glm::dvec3(sample.tangent)))
@@ -201,9 +201,9 @@ private:
 
 Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
                               const glm::dvec3& otherLight, const IntegralOptions& options,
-                              const lighting::Visibility* visibility, const glm::dvec3& besides) {
+                              const PointVisibility& fromHere, const glm::dvec3& besides, const glm::dvec3& weight) {
   if (environment.isBlack()) return {};
-  EnvironmentIntegrator integrator(sample, lobes, environment, options.seed, visibility);
+  EnvironmentIntegrator integrator(sample, lobes, environment, options.seed, fromHere);
   Integral known = integrator.inClosedForm();
   if (!integrator.needsSamples()) return known;
   integrator.prepareSampling(known.diffuse + known.specular + besides);
@@ -214,8 +214,8 @@ Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, c
         integrator.add(sum, replicate, begin, end);
       },
       [&](const Integral& now) {
-        const double shown = largest(now.diffuse + now.specular + known.diffuse + known.specular + otherLight);
-        return largest(now.standardError) <= options.relativeError * shown;
+        const glm::dvec3 light = now.diffuse + now.specular + known.diffuse + known.specular;
+        return largest(weight * now.standardError) <= options.relativeError * largest(weight * light + otherLight);
       });
   result.diffuse += known.diffuse;
   result.specular += known.specular;

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "lighting/surface/visibility.h"
 #include "reference/environment_sampler.h"
 #include "reference/lobes.h"
+#include "reference/point_visibility.h"
 
 namespace parity::reference {
 
@@ -33,11 +33,12 @@ inline constexpr int kReplicates = 16;
 // scatter (randomised quasi-Monte Carlo; Owen 1997), with kReplicates - 1 degrees of freedom. pixel: picks the
 // scramblings. otherLight: what the pixel shows besides, which the relative error counts in. view, normal as in the
 // sample; a normal turned away from the eye has the lobe of the last visible direction. Occlusion is not applied.
-// visibility: null where nothing casts shadows; else every direction is tested, a mirror's too. besides: of other
-// light, that which the lobe is one layer of: the more there is, the coarser the product's blocks.
+// fromHere: of the sample; where things cast shadows, every direction is tested, a mirror's too. besides: of other
+// light, that which the lobe is one layer of: the more there is, the coarser the product's blocks. weight: what the
+// channels are shown at, of which the error is measured; otherLight has its weight.
 Integral integrateEnvironment(const SurfaceSample& sample, const Lobes& lobes, const EnvironmentSampler& environment,
                               const glm::dvec3& otherLight, const IntegralOptions& options,
-                              const lighting::Visibility* visibility = nullptr,
-                              const glm::dvec3& besides = glm::dvec3(0.0));
+                              const PointVisibility& fromHere = {}, const glm::dvec3& besides = glm::dvec3(0.0),
+                              const glm::dvec3& weight = glm::dvec3(1.0));
 
 } // namespace parity::reference

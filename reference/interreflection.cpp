@@ -13,9 +13,9 @@ namespace {
 
 class InterreflectionIntegrator {
 public:
-  InterreflectionIntegrator(const SurfaceSample& sample, const Lobes& lobes, const Surroundings& around, int bounces,
-                            std::uint32_t seed)
-      : m_lobes(lobes), m_around(around), m_bounces(bounces), m_fromHere(&around.visibility, sample),
+  InterreflectionIntegrator(const SurfaceSample& sample, const Lobes& lobes, const Surroundings& around,
+                            const PointVisibility& fromHere, int bounces, std::uint32_t seed)
+      : m_lobes(lobes), m_around(around), m_bounces(bounces), m_fromHere(fromHere),
         m_reflection(sample, lobes, m_fromHere), m_seed(hashCombine(hashCombine(sample.pixel, seed), 1)) {
     const bool glossy = lobes.hasSpecular() && !lobes.isMirror();
     constexpr double kWideAlpha = 0.1; // wide lobes profit from the cosine
@@ -103,20 +103,21 @@ private:
 } // namespace
 
 Integral integrateInterreflection(const SurfaceSample& sample, const Lobes& lobes, const Surroundings& around,
-                                  int bounces, const glm::dvec3& otherLight, const glm::dvec3& otherError,
-                                  const IntegralOptions& options) {
+                                  const PointVisibility& fromHere, int bounces, const glm::dvec3& otherLight,
+                                  const glm::dvec3& otherError, const IntegralOptions& options,
+                                  const glm::dvec3& weight) {
   if (!lobes.hasDiffuse() && !lobes.hasSpecular()) return {};
-  const InterreflectionIntegrator integrator(sample, lobes, around, bounces, options.seed);
+  const InterreflectionIntegrator integrator(sample, lobes, around, fromHere, bounces, options.seed);
   return sumReplicates(
       options,
       [&](Sum& sum, int replicate, std::uint32_t begin, std::uint32_t end) {
         integrator.add(sum, replicate, begin, end);
       },
       [&](const Integral& now) {
-        const double wanted = options.relativeError * largest(now.diffuse + now.specular + otherLight);
+        const double wanted = options.relativeError * largest(weight * (now.diffuse + now.specular) + otherLight);
         const glm::dvec3 error2 = now.standardError * now.standardError;
-        return largest(glm::sqrt(error2 + otherError * otherError)) <= wanted ||
-               largest(now.standardError) <= wanted / std::numbers::sqrt2;
+        return largest(weight * glm::sqrt(error2 + otherError * otherError)) <= wanted ||
+               largest(weight * now.standardError) <= wanted / std::numbers::sqrt2;
       });
 }
 

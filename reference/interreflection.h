@@ -12,8 +12,10 @@ namespace parity::reference {
 // cannot help are left out, and a mirror looks in its one direction. Points, replicates and their error are
 // integrateEnvironment's. otherLight: what the pixel shows besides; otherError: the standard error of that, each
 // channel. Both together reach options.relativeError, or this integral 1/sqrt(2) of it. Occlusion is not applied.
+// fromHere: of the sample, and of the visibility of `around`. weight: as for integrateEnvironment.
 Integral integrateInterreflection(const SurfaceSample& sample, const Lobes& lobes, const Surroundings& around,
-                                  int bounces, const glm::dvec3& otherLight, const glm::dvec3& otherError,
-                                  const IntegralOptions& options);
+                                  const PointVisibility& fromHere, int bounces, const glm::dvec3& otherLight,
+                                  const glm::dvec3& otherError, const IntegralOptions& options,
+                                  const glm::dvec3& weight = glm::dvec3(1.0));
 
 } // namespace parity::reference

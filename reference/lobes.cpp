@@ -40,7 +40,8 @@ double lostOnAverage(const AlbedoRow& row, double alpha) {
 Lobes::Lobes(const SurfaceSample& sample, const Model& model, double roughness, const DirectionalAlbedo* albedo)
     : m_model(model), m_alpha(f64::sqr(roughness)),
       m_F90(sample.dielectricF90 * (1.0 - sample.metallic) + sample.metallic),
-      m_diffuseColor(toGlm(f64::diffuseColor(toReal3(sample.baseColor), sample.metallic))),
+      m_diffuseColor(toGlm(f64::diffuseColor(toReal3(sample.baseColor), sample.metallic)) *
+                     ((1.0 - sample.transmission) * (1.0 - sample.diffuseTransmission))),
       m_F0(toGlm(f64::specularColor(toReal3(sample.dielectricF0), toReal3(sample.baseColor), sample.metallic))) {
   assert(albedo || !model.needsAlbedo());
   if (sample.iridescence > 0) {

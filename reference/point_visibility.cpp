@@ -4,8 +4,9 @@
 
 namespace parity::reference {
 
-PointVisibility::PointVisibility(const lighting::Visibility* visibility, const SurfaceSample& sample)
-    : m_visibility(visibility) {
+PointVisibility::PointVisibility(const lighting::Visibility* visibility, const SurfaceSample& sample,
+                                 std::optional<std::uint32_t> passedOver)
+    : m_visibility(visibility), m_passedOver(passedOver) {
   if (!visibility) return;
   const glm::dvec3 position(sample.position), geometric = glm::normalize(glm::dvec3(sample.geometricNormal));
   m_horizon = geometric;
@@ -34,21 +35,27 @@ void PointVisibility::setOrigin(const glm::dvec3& position, const glm::dvec3& ge
   m_origin = m_visibility->leaveSurface(position, geometric);
   // Something else may lie between facet and smooth surface: then rays begin at the facet.
   const double height = glm::length(lift);
-  if (height > 0 && !m_visibility->isOccluded(m_origin, lift / height, height)) m_origin += lift;
+  if (height > 0 && isOpen(lift / height, height)) m_origin += lift;
 }
 
 bool PointVisibility::reaches(const glm::dvec3& direction, double distance) const {
   if (!m_visibility) return true;
   if (!isAboveHorizon(direction)) return false;
-  if (std::isinf(distance)) return !m_visibility->isOccluded(m_origin, direction);
+  if (std::isinf(distance)) return isOpen(direction, distance);
   const glm::dvec3 way = m_position + distance * direction - m_origin;
   const double length = glm::length(way);
-  return !(length > 0) || !m_visibility->isOccluded(m_origin, way / length, length - 2 * m_offset);
+  return !(length > 0) || isOpen(way / length, length - 2 * m_offset);
+}
+
+bool PointVisibility::isOpen(const glm::dvec3& direction, double length) const {
+  if (m_passedOver) return !m_visibility->firstHitBeside(*m_passedOver, m_origin, direction, length);
+  return !m_visibility->isOccluded(m_origin, direction, length);
 }
 
 std::optional<lighting::Visibility::Hit> PointVisibility::firstHit(const glm::dvec3& direction) const {
   if (!m_visibility || !isAboveHorizon(direction)) return std::nullopt;
-  return m_visibility->firstHit(m_origin, direction);
+  return m_passedOver ? m_visibility->firstHitBeside(*m_passedOver, m_origin, direction)
+                      : m_visibility->firstHit(m_origin, direction);
 }
 
 } // namespace parity::reference

@@ -18,7 +18,9 @@ public:
   // Nothing casts shadows: light comes from everywhere, and there is no horizon.
   PointVisibility() = default;
   // visibility: null where nothing casts shadows. It and its scene must outlive this.
-  PointVisibility(const lighting::Visibility* visibility, const SurfaceSample& sample);
+  // passedOver: an instance that bounds a body (Visibility::firstHitBeside) and hides nothing from here.
+  PointVisibility(const lighting::Visibility* visibility, const SurfaceSample& sample,
+                  std::optional<std::uint32_t> passedOver = std::nullopt);
   PointVisibility(const lighting::Visibility& visibility, const lighting::SurfacePoint& point);
 
   bool hasHorizon() const { return m_visibility != nullptr; }
@@ -33,6 +35,9 @@ public:
   // surface itself, wherever the shading normal points. A light is not hidden by what lies at its own place.
   bool reaches(const glm::dvec3& direction, double distance = std::numeric_limits<double>::infinity()) const;
 
+  // Whether nothing lies on the ray that begins at origin(), as far as a length that may be infinite.
+  bool isOpen(const glm::dvec3& direction, double length) const;
+
   // The first surface in a direction above the horizon; nothing below it, or where nothing casts shadows.
   std::optional<lighting::Visibility::Hit> firstHit(const glm::dvec3& direction) const;
 
@@ -45,6 +50,7 @@ private:
   const lighting::Visibility* m_visibility = nullptr;
   glm::dvec3 m_position{0.0}, m_horizon{0.0}, m_origin{0.0};
   double m_offset = 0;
+  std::optional<std::uint32_t> m_passedOver;
 };
 
 } // namespace parity::reference

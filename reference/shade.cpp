@@ -5,8 +5,10 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <optional>
 
 #include "base/parallel.h"
+#include "reference/body_light.h"
 #include "reference/layers.h"
 #include "reference/replicates.h"
 
@@ -16,20 +18,34 @@ namespace {
 
 using shading::Term;
 
+// What a point or one of its layers sees of the surfaces.
+struct Outlook {
+  PointVisibility fromHere;
+  const lighting::Visibility* visibility = nullptr; // where light bounces
+  int bounces = 0;
+  bool castsShadows = true; // else surfaces hide nothing from those that it sees
+};
+
+// What else is shown, over the layer's weight, and how its channels are shown.
+struct Shown {
+  glm::dvec3 other{0.0}, besides{0.0}, weight{1.0};
+};
+
 // From everywhere but the lights: the environment and, where light bounces, the other surfaces.
-Integral integrateSurroundings(const SurfaceSample& sample, const Lobes& lobes, const glm::dvec3& other,
-                               const Inputs& inputs, const Options& options,
-                               const glm::dvec3& besides = glm::dvec3(0)) {
+Integral integrateSurroundings(const SurfaceSample& sample, const Lobes& lobes, const Outlook& outlook,
+                               const Shown& shown, const Inputs& inputs, const Options& options) {
   IntegralOptions ofSky = options.integral;
-  if (options.bounces > 0) ofSky.relativeError /= std::numbers::sqrt2;
+  if (outlook.bounces > 0) ofSky.relativeError /= std::numbers::sqrt2;
   Integral sum;
   if (inputs.environment)
-    sum = integrateEnvironment(sample, lobes, *inputs.environment, other, ofSky, inputs.visibility, besides);
-  if (options.bounces == 0) return sum;
-  const Surroundings around{*inputs.visibility, *inputs.surfaces, *inputs.emitters, inputs.environment,
-                            inputs.lights,      options.model,    inputs.albedo};
-  const Integral bounced = integrateInterreflection(
-      sample, lobes, around, options.bounces, other + sum.diffuse + sum.specular, sum.standardError, options.integral);
+    sum = integrateEnvironment(sample, lobes, *inputs.environment, shown.other, ofSky, outlook.fromHere, shown.besides,
+                               shown.weight);
+  if (outlook.bounces == 0) return sum;
+  const Surroundings around{*outlook.visibility, *inputs.surfaces, *inputs.emitters, inputs.environment,
+                            inputs.lights,       options.model,    inputs.albedo,    outlook.castsShadows};
+  const Integral bounced = integrateInterreflection(sample, lobes, around, outlook.fromHere, outlook.bounces,
+                                                    shown.other + shown.weight * (sum.diffuse + sum.specular),
+                                                    sum.standardError, options.integral, shown.weight);
   sum.diffuse += bounced.diffuse;
   sum.specular += bounced.specular;
   sum.standardError = glm::sqrt(sum.standardError * sum.standardError + bounced.standardError * bounced.standardError);
@@ -47,6 +63,33 @@ void setError(ShadedSample& result, const glm::dvec3& color, const glm::dvec3& e
   result.relativeError = static_cast<float>(worst > 0 ? worst / largest(color) : 0);
 }
 
+// A layer that is looked at from behind sees surfaces whether they cast shadows or not; but diffuse light, which is in
+// closed form without shadows, does not.
+Outlook outlookBehind(const Layer& layer, const Inputs& inputs, const Options& options) {
+  const lighting::Visibility* seen = layer.kind == LayerKind::diffuseBehind ? inputs.visibility : inputs.behind;
+  return {.fromHere = PointVisibility(seen, layer.sample, passedOverBy(layer)),
+          .visibility = seen,
+          .bounces = seen && inputs.surfaces ? std::max(options.bounces, 1) : 0,
+          .castsShadows = inputs.visibility != nullptr};
+}
+
+Integral integrateThroughBody(const Layer& layer, const Lobes& lobes, const Shown& shown, const Inputs& inputs,
+                              const Options& options) {
+  assert(inputs.bodies);
+  std::optional<Surroundings> behind;
+  if (inputs.behind)
+    behind.emplace(*inputs.behind, *inputs.surfaces, *inputs.emitters, inputs.environment, inputs.lights, options.model,
+                   inputs.albedo, inputs.visibility != nullptr);
+  const BodySurroundings around{*inputs.bodies, inputs.environment, behind ? &*behind : nullptr,
+                                std::max(options.bounces, 1)};
+  return integrateBody(layer.sample, lobes, around, shown.other, options.integral, shown.weight);
+}
+
+Term termOf(LayerKind kind) {
+  if (kind == LayerKind::coat) return Term::coatSpecular;
+  return kind == LayerKind::sheen ? Term::sheen : Term::transmission;
+}
+
 // Each layer by itself. Of n layers each gets 1/sqrt(n) of the tolerance, which is of the whole colour.
 ShadedSample shadeLayers(const SurfaceSample& sample, const Inputs& inputs, const Options& options) {
   ShadedSample result;
@@ -58,9 +101,11 @@ ShadedSample shadeLayers(const SurfaceSample& sample, const Inputs& inputs, cons
   glm::dvec3 color = emissionWeight(sample, options.model, inputs.albedo) * glm::dvec3(sample.emissive);
   addTo(Term::emissive, color);
   for (const Layer& layer : layers) {
-    const DirectLight direct =
-        shadeDirect(layer.sample, inputs.lights, lobesOf(layer, inputs.albedo, kMinLightRoughness), fromHere);
-    const double w = layer.weight;
+    if (layer.kind == LayerKind::body) continue;
+    const DirectLight direct = shadeDirect(
+        layer.sample, inputs.lights, lobesOf(layer, inputs.albedo, kMinLightRoughness),
+        isFromBehind(layer.kind) ? PointVisibility(inputs.visibility, layer.sample, passedOverBy(layer)) : fromHere);
+    const glm::dvec3& w = layer.weight;
     color += w * sumOf(direct);
     if (layer.kind == LayerKind::base) {
       addTo(Term::sunDiffuse, w * direct.sunDiffuse);
@@ -68,19 +113,27 @@ ShadedSample shadeLayers(const SurfaceSample& sample, const Inputs& inputs, cons
       addTo(Term::localDiffuse, w * direct.localDiffuse);
       addTo(Term::localSpecular, w * direct.localSpecular);
     } else {
-      addTo(layer.kind == LayerKind::coat ? Term::coatSpecular : Term::sheen, w * sumOf(direct));
+      addTo(termOf(layer.kind), w * sumOf(direct));
     }
   }
   const double occlusion = sample.occlusion;
-  if (!(inputs.environment || options.bounces > 0) || !(occlusion > 0)) return result;
+  if (!(occlusion > 0)) return result;
 
   Options ofLayer = options;
   ofLayer.integral.relativeError /= std::sqrt(static_cast<double>(layers.size()));
+  const Outlook outlook{.fromHere = fromHere, .visibility = inputs.visibility, .bounces = options.bounces};
   glm::dvec3 squares(0);
   for (const Layer& layer : layers) {
-    const double w = layer.weight * occlusion;
+    const glm::dvec3 w = layer.weight * occlusion;
+    const double most = largest(w);
+    const Shown shown{.other = color / most, .besides = color / most, .weight = w / most};
+    const Lobes lobes = lobesOf(layer, inputs.albedo);
     const Integral sky =
-        integrateSurroundings(layer.sample, lobesOf(layer, inputs.albedo), color / w, inputs, ofLayer, color / w);
+        layer.kind == LayerKind::body
+            ? integrateThroughBody(layer, lobes, shown, inputs, ofLayer)
+            : integrateSurroundings(layer.sample, lobes,
+                                    isFromBehind(layer.kind) ? outlookBehind(layer, inputs, ofLayer) : outlook, shown,
+                                    inputs, ofLayer);
     color += w * (sky.diffuse + sky.specular);
     squares += w * w * sky.standardError * sky.standardError;
     result.samples += static_cast<std::uint32_t>(sky.samples);
@@ -88,7 +141,7 @@ ShadedSample shadeLayers(const SurfaceSample& sample, const Inputs& inputs, cons
       addTo(Term::skyDiffuse, w * sky.diffuse);
       addTo(Term::skySpecular, w * sky.specular);
     } else {
-      addTo(layer.kind == LayerKind::coat ? Term::coatSpecular : Term::sheen, w * sky.specular);
+      addTo(termOf(layer.kind), w * (sky.diffuse + sky.specular));
     }
   }
   setError(result, color, glm::sqrt(squares));
@@ -103,8 +156,8 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
     return result;
   }
   if (hasLayers(sample)) return shadeLayers(sample, inputs, options);
-  const DirectLight direct =
-      shadeDirect(sample, inputs.lights, options.model, inputs.albedo, PointVisibility(inputs.visibility, sample));
+  const PointVisibility fromHere(inputs.visibility, sample);
+  const DirectLight direct = shadeDirect(sample, inputs.lights, options.model, inputs.albedo, fromHere);
   term(Term::sunDiffuse) = direct.sunDiffuse;
   term(Term::sunSpecular) = direct.sunSpecular;
   term(Term::localDiffuse) = direct.localDiffuse;
@@ -115,7 +168,8 @@ ShadedSample shadeOne(const SurfaceSample& sample, const Inputs& inputs, const O
 
   const glm::dvec3 other = sumOf(direct) + glm::dvec3(sample.emissive);
   const Lobes lobes(sample, options.model, sample.roughness, inputs.albedo);
-  const Integral sky = integrateSurroundings(sample, lobes, other / occlusion, inputs, options);
+  const Outlook outlook{.fromHere = fromHere, .visibility = inputs.visibility, .bounces = options.bounces};
+  const Integral sky = integrateSurroundings(sample, lobes, outlook, {.other = other / occlusion}, inputs, options);
   term(Term::skyDiffuse) = sky.diffuse * occlusion;
   term(Term::skySpecular) = sky.specular * occlusion;
   setError(result, other + (sky.diffuse + sky.specular) * occlusion, sky.standardError * occlusion);

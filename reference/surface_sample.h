@@ -32,7 +32,15 @@ struct SurfaceSample {
   float iridescence = 0;                    // [0, 1], share of the surface under a thin film
   float filmIor = 1.3f;                     // index of refraction of the film
   float filmThickness = 0;                  // nm
+  std::uint32_t instance = 0;               // of the scene; read of volumes alone
+  float transmission = 0;                   // [0, 1], share of the light that enters which passes through
+  float ior = 1.5f;                         // index of refraction of a volume, at least 1
+  float thickness = 0;                      // metres, of a volume; 0: a thin wall
+  glm::vec3 absorption{0.f};                // 1 / metre: light keeps exp(-absorption distance) in a volume
+  float dispersion = 0;                     // 20 / Abbe number
+  float diffuseTransmission = 0;            // [0, 1], share of the diffuse light that passes through
+  glm::vec3 diffuseTransmissionColor{1.f};  //
 };
-static_assert(sizeof(SurfaceSample) == 43 * sizeof(float));
+static_assert(sizeof(SurfaceSample) == 55 * sizeof(float));
 
 } // namespace parity::reference

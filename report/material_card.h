@@ -28,7 +28,8 @@ struct CardInput {
 inline constexpr const char* kCardInputs =
     "baseColor|opacity|metallic|roughness|normal|occlusion|emissive|specular|specularColor|coat|coatRoughness|"
     "coatNormal|sheenColor|sheenRoughness|anisotropy|anisotropyRotation|iridescence|iridescenceIor|"
-    "iridescenceThickness";
+    "iridescenceThickness|transmission|diffuseTransmission|diffuseTransmissionColor|ior|thickness|attenuationColor|"
+    "attenuationDistance|dispersion";
 
 struct MaterialCard {
   std::string name;

@@ -66,7 +66,8 @@ struct PixelFiles {
 
 // A lobe of a material that the test path leaves out.
 struct DroppedLobe {
-  std::string lobe; // "clear coat", "sheen", "anisotropy", "iridescence"
+  std::string lobe; // "clear coat", "sheen", "anisotropy", "iridescence", "transmission",
+                    // "diffuse transmission"
   double flip = 0;  // mean FLIP of the displayed reference picture without it against that with it, over the material
 };
 

@@ -12,7 +12,7 @@ struct TermWords {
 };
 
 // In the order of shading::kTermNames (shading/terms.h), which this folder may not include; a test compares the two.
-inline constexpr std::array<TermWords, 11> kTermWords = {
+inline constexpr std::array<TermWords, 12> kTermWords = {
     {{"sunDiffuse", "diffuse light of the sun"},
      {"sunSpecular", "highlights of the sun"},
      {"localDiffuse", "diffuse light of local lights"},
@@ -23,7 +23,8 @@ inline constexpr std::array<TermWords, 11> kTermWords = {
      {"emissive", "emitted light"},
      {"fog", "light of the fog"},
      {"coatSpecular", "reflections and highlights of the clear coat"},
-     {"sheen", "light of the sheen"}}};
+     {"sheen", "light of the sheen"},
+     {"transmission", "light through the surface"}}};
 
 // "skySpecular (reflections of the environment)"; a term without words by its name alone.
 std::string termWithWords(const std::string& term);

@@ -6,6 +6,15 @@
 
 namespace parity::scenes {
 
+// KHR_materials_volume: -ln(attenuationColor) / attenuationDistance (Beer and Lambert). Finite, so that none of it is
+// left over a distance of 0.
+glm::vec3 Material::absorption() const {
+  if (!(attenuationDistance > 0)) return glm::vec3(0);
+  constexpr float kLeast = 1e-6f; // of a colour: black would absorb infinitely much
+  constexpr float kMost = 1e30f;  // 1 / metre, over distances near 0
+  return glm::min(-glm::log(glm::max(attenuationColor, glm::vec3(kLeast))) / attenuationDistance, glm::vec3(kMost));
+}
+
 // F0 of a dielectric against air: ((ior-1)/(ior+1))^2 (Fresnel at normal incidence), tinted and scaled as
 // KHR_materials_specular says: min(f0 * specularColor, 1) * specular. In double, so that the default ior of 1.5 rounds
 // to the very 0.04f that the nonmetal permutation stands for.

@@ -85,22 +85,36 @@ struct Material {
   float iridescence = 0;        // KHR_materials_iridescence: share of the surface under a thin film, [0, 1]; 0: none
   float iridescenceIor = 1.3f;  // of the film
   float iridescenceThicknessMin = 100, iridescenceThicknessMax = 400; // nm; without a texture the latter holds
-  std::vector<std::string> notModelled;    // what the file gives it and no path shows: "transmission"
-  TextureSlot baseColorTexture;            // RGB sRGB, A linear
-  TextureSlot metallicRoughnessTexture;    // G roughness, B metallic
-  TextureSlot normalTexture;               // tangent space, +Y up (OpenGL)
-  TextureSlot occlusionTexture;            // R
-  TextureSlot emissiveTexture;             // sRGB
-  TextureSlot specularTexture;             // A
-  TextureSlot specularColorTexture;        // sRGB
-  TextureSlot coatTexture;                 // R
-  TextureSlot coatRoughnessTexture;        // G
-  TextureSlot coatNormalTexture;           // as normalTexture
-  TextureSlot sheenColorTexture;           // sRGB
-  TextureSlot sheenRoughnessTexture;       // A
-  TextureSlot anisotropyTexture;           // RG the direction in [-1, 1], B strength
-  TextureSlot iridescenceTexture;          // R
-  TextureSlot iridescenceThicknessTexture; // G: from the least thickness to the greatest
+  // KHR_materials_transmission: the share of the light that enters the base and passes through it, [0, 1]; 0: none.
+  float transmission = 0;
+  // KHR_materials_volume: of the body behind the surface, in the coordinates of the mesh, as it is seen along the
+  // normal; 0: a thin wall.
+  float thickness = 0;
+  float attenuationDistance = 0; // metres of the world over which light keeps attenuationColor; 0: keeps all
+  glm::vec3 attenuationColor{1.f};
+  float dispersion = 0;          // KHR_materials_dispersion: 20 / Abbe number; 0: none
+  float diffuseTransmission = 0; // KHR_materials_diffuse_transmission: share of diffuse light that passes; 0: none
+  glm::vec3 diffuseTransmissionColor{1.f};
+  std::vector<std::string> notModelled;        // what the file gives it and no path shows: "subsurface"
+  TextureSlot baseColorTexture;                // RGB sRGB, A linear
+  TextureSlot metallicRoughnessTexture;        // G roughness, B metallic
+  TextureSlot normalTexture;                   // tangent space, +Y up (OpenGL)
+  TextureSlot occlusionTexture;                // R
+  TextureSlot emissiveTexture;                 // sRGB
+  TextureSlot specularTexture;                 // A
+  TextureSlot specularColorTexture;            // sRGB
+  TextureSlot coatTexture;                     // R
+  TextureSlot coatRoughnessTexture;            // G
+  TextureSlot coatNormalTexture;               // as normalTexture
+  TextureSlot sheenColorTexture;               // sRGB
+  TextureSlot sheenRoughnessTexture;           // A
+  TextureSlot anisotropyTexture;               // RG the direction in [-1, 1], B strength
+  TextureSlot iridescenceTexture;              // R
+  TextureSlot iridescenceThicknessTexture;     // G: from the least thickness to the greatest
+  TextureSlot transmissionTexture;             // R
+  TextureSlot thicknessTexture;                // G
+  TextureSlot diffuseTransmissionTexture;      // A
+  TextureSlot diffuseTransmissionColorTexture; // sRGB
 
   // Dielectric F0 before textures, linear RGB, clamped to [0,1]: ((ior-1)/(ior+1))^2 * specularColor * specular.
   // glTF's default gives exactly 0.04 = UE's Specular 0.5.
@@ -115,8 +129,20 @@ struct Material {
         iridescenceThicknessMax > 0 || (iridescenceThicknessTexture.present() && iridescenceThicknessMin > 0);
     return iridescence > 0 && isThick && !unlit;
   }
-  // Any of the four.
-  bool hasLobes() const { return hasCoat() || hasSheen() || hasAnisotropy() || hasIridescence(); }
+  // Of the body, 1 / metre: light keeps exp(-absorption distance).
+  glm::vec3 absorption() const;
+  // Light that keeps its direction, up to refraction and roughness.
+  bool hasTransmission() const { return transmission > 0 && !unlit; }
+  bool hasDiffuseTransmission() const { return diffuseTransmission > 0 && !unlit; }
+  // The mesh bounds a body, which refracts and absorbs; else it is a thin wall.
+  bool hasVolume() const { return thickness > 0 && (hasTransmission() || hasDiffuseTransmission()); }
+  // Any of the six.
+  bool hasLobes() const {
+    return hasCoat() || hasSheen() || hasAnisotropy() || hasIridescence() || hasTransmission() ||
+           hasDiffuseTransmission();
+  }
+  // Blended, unlit and mostly transmissive materials cast none.
+  bool castsShadow() const { return alphaMode != AlphaMode::blend && !unlit && !(transmission > 0.5f); }
   // Metallic exactly 0 with no texture that could raise it, and F0 exactly 0.04 untinted (docs/design.md 6c).
   bool isNonmetal() const;
 };

@@ -41,6 +41,9 @@ MaterialInfo describe(const Scene& scene, const Material& material, std::size_t 
   add(material.hasSheen(), "sheen");
   add(material.hasAnisotropy(), "anisotropy");
   add(material.hasIridescence(), "iridescence");
+  add(material.hasTransmission(), "transmission");
+  add(material.hasDiffuseTransmission(), "diffuse transmission");
+  add(material.hasVolume(), "volume");
   add(material.alphaMode == AlphaMode::mask, "alpha mask");
   add(material.alphaMode == AlphaMode::blend, "alpha blend");
   add(material.doubleSided, "double-sided");

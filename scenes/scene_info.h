@@ -12,7 +12,8 @@ namespace parity::scenes {
 struct MaterialInfo {
   std::string name;
   // In this order, where they apply: unlit, nonmetal, fully rough, textured, normal map, vertex colours, emissive,
-  // coat, sheen, anisotropy, iridescence, alpha mask, alpha blend, double-sided, not shown.
+  // coat, sheen, anisotropy, iridescence, transmission, diffuse transmission, volume, alpha mask, alpha blend,
+  // double-sided, not shown.
   std::vector<std::string> flags;
   std::vector<std::string> textures; // "base color: wood.png (2048x2048)"
   glm::vec3 f0{0.f};                 // of a dielectric, linear

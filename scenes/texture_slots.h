@@ -14,7 +14,7 @@ struct NamedSlot {
   TextureSlot Material::*slot;
 };
 
-inline constexpr std::array<NamedSlot, 15> kTextureSlots = {
+inline constexpr std::array<NamedSlot, 19> kTextureSlots = {
     {{"base color", "baseColorTexture", &Material::baseColorTexture},
      {"metallic-roughness", "metallicRoughnessTexture", &Material::metallicRoughnessTexture},
      {"normal", "normalTexture", &Material::normalTexture},
@@ -29,7 +29,11 @@ inline constexpr std::array<NamedSlot, 15> kTextureSlots = {
      {"sheen roughness", "sheenRoughnessTexture", &Material::sheenRoughnessTexture},
      {"anisotropy", "anisotropyTexture", &Material::anisotropyTexture},
      {"iridescence", "iridescenceTexture", &Material::iridescenceTexture},
-     {"iridescence thickness", "iridescenceThicknessTexture", &Material::iridescenceThicknessTexture}}};
+     {"iridescence thickness", "iridescenceThicknessTexture", &Material::iridescenceThicknessTexture},
+     {"transmission", "transmissionTexture", &Material::transmissionTexture},
+     {"thickness", "thicknessTexture", &Material::thicknessTexture},
+     {"diffuse transmission", "diffuseTransmissionTexture", &Material::diffuseTransmissionTexture},
+     {"diffuse transmission color", "diffuseTransmissionColorTexture", &Material::diffuseTransmissionColorTexture}}};
 
 // The uv set (0: Mesh::uv0, 1: Mesh::uv1) that a mesh's tangents follow: that of the normal map, else of the coat's,
 // else of the anisotropy texture; the first for an anisotropy without any of these. None: the material needs no

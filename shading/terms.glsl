@@ -13,8 +13,9 @@ const int kTermEmissive = 7;
 const int kTermFog = 8;
 const int kTermCoatSpecular = 9;
 const int kTermSheen = 10;
+const int kTermTransmission = 11;
 #ifdef PARITY_LOBES
-const int kTermCount = 11;
+const int kTermCount = 12;
 #else
 const int kTermCount = 9; // no material of the scene has lobes beside the base's own
 #endif

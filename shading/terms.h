@@ -21,12 +21,13 @@ enum class Term : int {
   fog,          // inscattered light; all others are after fog transmittance
   coatSpecular, // of every light and the environment, by the clear coat
   sheen,        // likewise, by the fibres
+  transmission, // of what lies behind, by a surface that lets light through
 };
-inline constexpr std::size_t kTermCount = 11;
+inline constexpr std::size_t kTermCount = 12;
 inline constexpr std::size_t kBaseTermCount = 9; // of scenes without lobes beside the base's own: those up to fog
 inline constexpr std::array<std::string_view, kTermCount> kTermNames = {
     "sunDiffuse",  "sunSpecular", "localDiffuse", "localSpecular", "lightmap", "skyDiffuse",
-    "skySpecular", "emissive",    "fog",          "coatSpecular",  "sheen"};
+    "skySpecular", "emissive",    "fog",          "coatSpecular",  "sheen",    "transmission"};
 
 // The term of that name, or nothing.
 constexpr std::optional<Term> termByName(std::string_view name) {

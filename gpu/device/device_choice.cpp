@@ -13,6 +13,7 @@ namespace {
 
 // Most that one of our pipelines binds (the paths' shaders; the resolve pass binds fewer).
 constexpr std::uint32_t kStorageBuffers = 18;
+constexpr std::uint32_t kSampledImages = 8 + kSlotCount; // the paths' own, the materials'
 
 std::string lowered(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -50,6 +51,10 @@ std::string refusal(const vk::raii::PhysicalDevice& device) {
   if (properties.limits.maxPerStageDescriptorStorageBuffers < kStorageBuffers)
     return fmt::format("it has {} storage buffers a stage, {} are needed",
                        properties.limits.maxPerStageDescriptorStorageBuffers, kStorageBuffers);
+  if (const std::uint32_t most = std::min(properties.limits.maxPerStageDescriptorSampledImages,
+                                          properties.limits.maxPerStageDescriptorSamplers);
+      most < kSampledImages)
+    return fmt::format("it has {} textures a stage, {} are needed", most, kSampledImages);
   if (properties.limits.maxUniformBufferRange < kLargestUniform)
     return fmt::format("its uniform buffers hold {} bytes, {} are needed", properties.limits.maxUniformBufferRange,
                        kLargestUniform);

@@ -31,13 +31,21 @@ PARITY_CONST int kSlotSheenRoughness = 11;
 PARITY_CONST int kSlotAnisotropy = 12;
 PARITY_CONST int kSlotIridescence = 13;
 PARITY_CONST int kSlotIridescenceThickness = 14;
-PARITY_CONST int kSlotCount = 15;
+PARITY_CONST int kSlotTransmission = 15;
+PARITY_CONST int kSlotThickness = 16;
+PARITY_CONST int kSlotDiffuseTransmission = 17;
+PARITY_CONST int kSlotDiffuseTransmissionColor = 18;
+PARITY_CONST int kSlotCount = 19;
 // The slots of lobes beside the base's own, which shaders of scenes without them lack (PARITY_LOBES of path.glsl).
 PARITY_CONST uint kCoatTextures = 1u << kSlotCoat | 1u << kSlotCoatRoughness | 1u << kSlotCoatNormal;
 PARITY_CONST uint kSheenTextures = 1u << kSlotSheenColor | 1u << kSlotSheenRoughness;
 PARITY_CONST uint kAnisotropyTextures = 1u << kSlotAnisotropy;
 PARITY_CONST uint kIridescenceTextures = 1u << kSlotIridescence | 1u << kSlotIridescenceThickness;
-PARITY_CONST uint kLobeTextures = kCoatTextures | kSheenTextures | kAnisotropyTextures | kIridescenceTextures;
+PARITY_CONST uint kTransmissionTextures = 1u << kSlotTransmission;
+PARITY_CONST uint kDiffuseTransmissionTextures = 1u << kSlotDiffuseTransmission | 1u << kSlotDiffuseTransmissionColor;
+PARITY_CONST uint kThicknessTextures = 1u << kSlotThickness; // of either
+PARITY_CONST uint kLobeTextures = kCoatTextures | kSheenTextures | kAnisotropyTextures | kIridescenceTextures |
+                                  kTransmissionTextures | kDiffuseTransmissionTextures | kThicknessTextures;
 // In a texture mask, besides the slots: the alpha of normal maps holds the spread of their normals
 // (gpu/surface/normal_variance.h).
 PARITY_CONST uint kNormalVariance = 1u << kSlotCount;
@@ -51,8 +59,14 @@ PARITY_CONST uint kFeatureCoat = 16u;
 PARITY_CONST uint kFeatureSheen = 32u;
 PARITY_CONST uint kFeatureAnisotropy = 64u;
 PARITY_CONST uint kFeatureIridescence = 128u;
+PARITY_CONST uint kFeatureTransmission = 256u;
+PARITY_CONST uint kFeatureDiffuseTransmission = 512u;
+PARITY_CONST uint kFeatureVolume = 1024u; // the mesh bounds a body
+// Light passes through the surface.
+PARITY_CONST uint kFeatureThrough = kFeatureTransmission | kFeatureDiffuseTransmission;
 // What needs the shaders with PARITY_LOBES.
-PARITY_CONST uint kFeatureLobes = kFeatureCoat | kFeatureSheen | kFeatureAnisotropy | kFeatureIridescence;
+PARITY_CONST uint kFeatureLobes =
+    kFeatureCoat | kFeatureSheen | kFeatureAnisotropy | kFeatureIridescence | kFeatureThrough;
 
 // Lights.
 PARITY_CONST uint kLightDirectional = 0u;
@@ -110,7 +124,11 @@ PARITY_CONST uint kPlaneGeometricNormal = 5u; // w: roughness of the coat
 PARITY_CONST uint kPlaneCoatNormal = 6u; // w: coat
 PARITY_CONST uint kPlaneSheen = 7u;      // colour; w: roughness
 PARITY_CONST uint kPlaneTangent = 8u;    // w: anisotropy
-PARITY_CONST uint kPlaneFilm = 9u;       // iridescence, index of refraction, thickness in nm; 0
+PARITY_CONST uint kPlaneFilm = 9u;       // iridescence, index of refraction, thickness in nm; dispersion
+PARITY_CONST uint kPlaneThrough = 10u;   // transmission, index of refraction, thickness in metres; diffuse transmission
+PARITY_CONST uint kPlaneAbsorption = 11u;     // of a volume, 1 / metre
+PARITY_CONST uint kPlaneDiffuseThrough = 12u; // colour of the diffuse transmission
+PARITY_CONST uint kPlaneCount = 13u;
 
 // The mobile path: local lights of an object, and the index that means none.
 PARITY_CONST uint kLightsPerObject = 4u;
@@ -168,6 +186,9 @@ struct GpuMaterial {
   vec4 sheen;            // linear RGB; roughness
   vec4 anisotropy;       // strength; cosine and sine of its rotation; 0
   vec4 film;             // iridescence, index of refraction, least and greatest thickness in nm
+  vec4 through;          // transmission, index of refraction, thickness in the mesh's coordinates; diffuse transmission
+  vec4 absorption;       // of a volume, 1 / metre; dispersion
+  vec4 diffuseThrough;   // colour of the diffuse transmission; 0
   uvec4 flags;           // features; 0; 0; 0
   GpuTextureSlot slots[kSlotCount];
 };
@@ -236,6 +257,8 @@ struct GpuView {
   vec4 indirectColorScale;                // rgb: scales the lightmap
   vec4 fog;                               // density, height falloff, height, start distance (shading/fog.glsl)
   vec4 fogColor;                          // rgb: radiance where the fog is dense; its maximum opacity
+  vec4 picture[3];                        // w times (u, v) of a world position in the picture, from 0 to 1; w
+  vec4 pictureScale;                      // pixels a metre across the view where w is 1; 0, 0, 0
   vec4 path[kPathNumbers];                // the path's own
 };
 

@@ -20,6 +20,9 @@ void main() {
   outTermsB[(kPlaneCoatNormal - kTermsInA) * planeSize + i] = vec4(m.coatNormal, m.coat);
   outTermsB[(kPlaneSheen - kTermsInA) * planeSize + i] = vec4(m.sheenColor, m.sheenRoughness);
   outTermsB[(kPlaneTangent - kTermsInA) * planeSize + i] = vec4(m.tangent, m.anisotropy);
-  outTermsB[(kPlaneFilm - kTermsInA) * planeSize + i] = vec4(m.iridescence, m.filmIor, m.filmThickness, 0.0);
+  outTermsB[(kPlaneFilm - kTermsInA) * planeSize + i] = vec4(m.iridescence, m.filmIor, m.filmThickness, m.dispersion);
+  outTermsB[(kPlaneThrough - kTermsInA) * planeSize + i] = vec4(m.transmission, m.ior, m.thickness, m.diffuseTransmission);
+  outTermsB[(kPlaneAbsorption - kTermsInA) * planeSize + i] = vec4(m.absorption, 0.0);
+  outTermsB[(kPlaneDiffuseThrough - kTermsInA) * planeSize + i] = vec4(m.diffuseTransmissionColor, 0.0);
 #endif
 }

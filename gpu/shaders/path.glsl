@@ -51,6 +51,7 @@ layout(set = 0, binding = 27, std140) uniform Lamps { GpuLamp lamps[kMaxLamps]; 
 
 #ifdef PARITY_LOBES
 layout(set = 0, binding = 28, std140) uniform EnvironmentPoints { GpuEnvironmentPoint environmentPoints[kEnvironmentPoints]; };
+layout(set = 0, binding = 29) uniform sampler2DArray backdrop; // gpu/surface/backdrop.h
 #endif
 
 layout(set = 1, binding = 0) uniform sampler2D baseColorTexture;
@@ -69,6 +70,10 @@ layout(set = 1, binding = 11) uniform sampler2D sheenRoughnessTexture;
 layout(set = 1, binding = 12) uniform sampler2D anisotropyTexture;
 layout(set = 1, binding = 13) uniform sampler2D iridescenceTexture;
 layout(set = 1, binding = 14) uniform sampler2D iridescenceThicknessTexture;
+layout(set = 1, binding = 15) uniform sampler2D transmissionTexture;
+layout(set = 1, binding = 16) uniform sampler2D thicknessTexture;
+layout(set = 1, binding = 17) uniform sampler2D diffuseTransmissionTexture;
+layout(set = 1, binding = 18) uniform sampler2D diffuseTransmissionColorTexture;
 #endif
 
 layout(push_constant) uniform Push {
@@ -99,6 +104,12 @@ struct Resolved {
   vec3 tangent;              // of the anisotropy, unit, perpendicular to the normal
   float iridescence;         // 0: none
   float filmIor, filmThickness; // nm
+  float transmission;        // 0: none
+  float diffuseTransmission; // 0: none
+  vec3 diffuseTransmissionColor;
+  float ior, thickness;      // of a body, at least 1; metres of the world, 0: a thin wall
+  vec3 absorption;           // of a body, 1 / metre
+  float dispersion;          // 20 / Abbe number
 #endif
 };
 
@@ -249,6 +260,34 @@ void resolveFilm(inout Resolved r, uint m, uint i) {
     r.filmThickness = mix(materials[m].film.z, materials[m].film.w, share);
   }
 }
+
+// KHR_materials_transmission, _volume, _dispersion and _diffuse_transmission. The body's thickness grows with the object as the
+// cube root of its volume.
+void resolveThrough(inout Resolved r, Point p, uint i) {
+  uint m = p.material;
+  r.transmission = r.diffuseTransmission = r.thickness = r.dispersion = 0.0;
+  r.diffuseTransmissionColor = materials[m].diffuseThrough.xyz;
+  r.ior = materials[m].through.y;
+  r.absorption = vec3(0.0);
+  if (hasFeature(kFeatureTransmission, m)) {
+    r.transmission = materials[m].through.x;
+    if (hasTexture(kSlotTransmission, m)) r.transmission *= fetch(transmissionTexture, kSlotTransmission, m, i).x;
+  }
+  if (hasFeature(kFeatureDiffuseTransmission, m)) {
+    r.diffuseTransmission = materials[m].through.w;
+    if (hasTexture(kSlotDiffuseTransmission, m))
+      r.diffuseTransmission *= fetch(diffuseTransmissionTexture, kSlotDiffuseTransmission, m, i).w;
+    if (hasTexture(kSlotDiffuseTransmissionColor, m))
+      r.diffuseTransmissionColor *= fetch(diffuseTransmissionColorTexture, kSlotDiffuseTransmissionColor, m, i).xyz;
+  }
+  if (!hasFeature(kFeatureVolume, m)) return;
+  vec4 rows[3] = instances[p.instance].toWorld;
+  float volume = abs(dot(rows[0].xyz, cross(rows[1].xyz, rows[2].xyz)));
+  r.thickness = materials[m].through.z * pow(volume, 1.0 / 3.0);
+  if (hasTexture(kSlotThickness, m)) r.thickness *= fetch(thicknessTexture, kSlotThickness, m, i).y;
+  r.absorption = materials[m].absorption.xyz;
+  r.dispersion = materials[m].absorption.w;
+}
 #endif
 
 Resolved resolveMaterial(Point p, uint i) {
@@ -290,6 +329,7 @@ Resolved resolveMaterial(Point p, uint i) {
   resolveSheen(r, m, i);
   resolveAnisotropy(r, p, i);
   resolveFilm(r, m, i);
+  resolveThrough(r, p, i);
 #endif
   return r;
 }

@@ -126,7 +126,7 @@ Casters findCasters(const scenes::Scene& scene) {
     lower = glm::min(lower, caster.bounds.lower);
     upper = glm::max(upper, caster.bounds.upper);
     const scenes::Material& material = scene.materials[mesh.material];
-    if (material.alphaMode == scenes::AlphaMode::blend || material.unlit) continue;
+    if (!material.castsShadow()) continue;
     if (of.plane) {
       const glm::vec3 normal = glm::inverse(glm::transpose(glm::mat3(instance.toWorld))) * of.plane->normal;
       const float length = glm::length(normal);

@@ -23,10 +23,12 @@ struct LobeFeature {
   std::uint32_t feature;
   const char* name;
 };
-inline constexpr std::array<LobeFeature, 4> kLobeFeatures = {{{kFeatureCoat, "clear coat"},
+inline constexpr std::array<LobeFeature, 6> kLobeFeatures = {{{kFeatureCoat, "clear coat"},
                                                               {kFeatureSheen, "sheen"},
                                                               {kFeatureAnisotropy, "anisotropy"},
-                                                              {kFeatureIridescence, "iridescence"}}};
+                                                              {kFeatureIridescence, "iridescence"},
+                                                              {kFeatureTransmission, "transmission"},
+                                                              {kFeatureDiffuseTransmission, "diffuse transmission"}}};
 // Those that it has, as bits. An unlit material has none.
 std::uint32_t lobesOf(const scenes::Material& material);
 // Its texture slots in the order of kSlot... of interface.h.

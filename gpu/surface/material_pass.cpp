@@ -13,6 +13,7 @@ PathProgram makeProgram(std::uint64_t expectedEntries, const Compilation& compil
   program.spirv = kMaterialComp;
   program.spirvOfLobes = kMaterialLobesComp;
   program.terms = true; // their buffers take the values
+  program.planesOfLobes = kPlaneCount;
   program.expectedPixels = expectedEntries;
   program.compilation = compilation;
   return program;
@@ -54,6 +55,13 @@ std::vector<ResolvedMaterial> MaterialPass::resolve(const Surface& surface, cons
     m.iridescence = plane(kPlaneFilm).x;
     m.filmIor = plane(kPlaneFilm).y;
     m.filmThickness = plane(kPlaneFilm).z;
+    m.dispersion = plane(kPlaneFilm).w;
+    m.transmission = plane(kPlaneThrough).x;
+    m.ior = plane(kPlaneThrough).y;
+    m.thickness = plane(kPlaneThrough).z;
+    m.diffuseTransmission = plane(kPlaneThrough).w;
+    m.absorption = glm::vec3(plane(kPlaneAbsorption));
+    m.diffuseTransmissionColor = glm::vec3(plane(kPlaneDiffuseThrough));
   }
   return resolved;
 }

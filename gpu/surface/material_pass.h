@@ -19,6 +19,10 @@ struct ResolvedMaterial {
   glm::vec3 coatNormal{0.f}, sheenColor{0.f};                               // coatNormal: unit
   float anisotropy = 0, iridescence = 0, filmIor = 1.3f, filmThickness = 0; // nm
   glm::vec3 tangent{0.f};                                                   // of the anisotropy, unit
+  float transmission = 0, diffuseTransmission = 0;
+  glm::vec3 diffuseTransmissionColor{1.f};
+  float ior = 1.5f, thickness = 0, dispersion = 0; // of a body; thickness: metres, 0: a thin wall
+  glm::vec3 absorption{0.f};                       // of a body, 1 / metre
 };
 
 class MaterialPass {

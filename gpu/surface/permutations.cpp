@@ -15,15 +15,31 @@ namespace parity::gpu {
 namespace {
 
 // Bits of a texture mask and of features, from the lowest.
-constexpr std::array<const char*, kSlotCount + 1> kTextureNames = {
-    "base colour",    "metallic-roughness", "normal",          "occlusion",
-    "emissive",       "specular",           "specular colour", "coat",
-    "coat roughness", "coat normal",        "sheen colour",    "sheen roughness",
-    "anisotropy",     "iridescence",        "film thickness",  "spread of normals"};
-constexpr std::array<const char*, 8> kFeatureNames = {"unlit", "nonmetal", "fully rough", "blended",
-                                                      "coat",  "sheen",    "anisotropy",  "iridescence"};
+constexpr std::array<const char*, kSlotCount + 1> kTextureNames = {"base colour",
+                                                                   "metallic-roughness",
+                                                                   "normal",
+                                                                   "occlusion",
+                                                                   "emissive",
+                                                                   "specular",
+                                                                   "specular colour",
+                                                                   "coat",
+                                                                   "coat roughness",
+                                                                   "coat normal",
+                                                                   "sheen colour",
+                                                                   "sheen roughness",
+                                                                   "anisotropy",
+                                                                   "iridescence",
+                                                                   "film thickness",
+                                                                   "transmission",
+                                                                   "thickness",
+                                                                   "diffuse transmission",
+                                                                   "diffuse transmission colour",
+                                                                   "spread of normals"};
+constexpr std::array<const char*, 11> kFeatureNames = {
+    "unlit",       "nonmetal",     "fully rough",          "blended", "coat", "sheen", "anisotropy",
+    "iridescence", "transmission", "diffuse transmission", "volume"};
 static_assert(kNormalVariance == 1u << (kTextureNames.size() - 1) &&
-              kFeatureIridescence == 1u << (kFeatureNames.size() - 1));
+              kFeatureVolume == 1u << (kFeatureNames.size() - 1));
 
 std::string join(const std::vector<std::string>& words) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
@@ -39,8 +55,9 @@ bool serves(const Permutation& p, const MaterialClass& c) {
 Permutation everyScenePermutation(std::uint32_t textures) {
   const bool lobes = (textures & kLobeTextures) != 0;
   return {textures,
-          kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend | (lobes ? kFeatureLobes : 0u), 0,
-          true};
+          kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend |
+              (lobes ? kFeatureLobes | kFeatureVolume : 0u),
+          0, true};
 }
 
 PermutationBudget shareOf(std::size_t scene, std::size_t sceneCount) {

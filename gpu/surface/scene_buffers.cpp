@@ -30,6 +30,9 @@ GpuMaterial pack(const scenes::Material& m) {
   out.sheen = vec4(m.sheenColor, m.sheenRoughness);
   out.anisotropy = vec4(m.anisotropy, std::cos(m.anisotropyRotation), std::sin(m.anisotropyRotation), 0);
   out.film = vec4(m.iridescence, m.iridescenceIor, m.iridescenceThicknessMin, m.iridescenceThicknessMax);
+  out.through = vec4(m.transmission, std::max(m.ior, 1.f), m.thickness, m.diffuseTransmission);
+  out.absorption = vec4(m.absorption(), m.dispersion);
+  out.diffuseThrough = vec4(m.diffuseTransmissionColor, 0);
   out.flags = uvec4(classify(m).features, 0, 0, 0);
   for (int slot = 0; slot < kSlotCount; ++slot) {
     const scenes::TextureSlot& texture = *slotsOf(m)[slot];
@@ -138,7 +141,9 @@ std::array<const scenes::TextureSlot*, kSlotCount> slotsOf(const scenes::Materia
 
 std::uint32_t lobesOf(const scenes::Material& m) {
   return (m.hasCoat() ? kFeatureCoat : 0u) | (m.hasSheen() ? kFeatureSheen : 0u) |
-         (m.hasAnisotropy() ? kFeatureAnisotropy : 0u) | (m.hasIridescence() ? kFeatureIridescence : 0u);
+         (m.hasAnisotropy() ? kFeatureAnisotropy : 0u) | (m.hasIridescence() ? kFeatureIridescence : 0u) |
+         (m.hasTransmission() ? kFeatureTransmission : 0u) |
+         (m.hasDiffuseTransmission() ? kFeatureDiffuseTransmission : 0u);
 }
 
 MaterialClass classify(const scenes::Material& material) {
@@ -156,6 +161,12 @@ MaterialClass classify(const scenes::Material& material) {
     if ((lobes & kFeatureSheen) == 0) result.textures &= ~kSheenTextures;
     if ((lobes & kFeatureAnisotropy) == 0) result.textures &= ~kAnisotropyTextures;
     if ((lobes & kFeatureIridescence) == 0) result.textures &= ~kIridescenceTextures;
+    if ((lobes & kFeatureTransmission) == 0) result.textures &= ~kTransmissionTextures;
+    if ((lobes & kFeatureDiffuseTransmission) == 0) result.textures &= ~kDiffuseTransmissionTextures;
+    if (material.hasVolume())
+      result.features |= kFeatureVolume;
+    else
+      result.textures &= ~kThicknessTextures;
     if (material.isNonmetal()) result.features |= kFeatureNonmetal;
     if (material.fullyRough) result.features |= kFeatureFullyRough;
   }

@@ -30,6 +30,14 @@ DeviceImage makeWhite(const Device& device, bool array = false) {
   return DeviceImage(device, {.width = 1, .height = 1, .mips = 1, .array = array}, std::span{&mip, 1});
 }
 
+// As a backdrop that covers nothing.
+DeviceImage makeBlackArray(const Device& device) {
+  const std::vector<float> black(std::size_t{4} * kBackdropLayers, 0.f);
+  const std::span<const std::byte> mip = std::as_bytes(std::span{black});
+  return DeviceImage(device, {.format = kBackdropFormat, .array = true, .arraySize = kBackdropLayers},
+                     std::span{&mip, 1});
+}
+
 vk::raii::Sampler makeLinearClamp(const Device& device) {
   vk::SamplerCreateInfo info({}, vk::Filter::eLinear, vk::Filter::eLinear, vk::SamplerMipmapMode::eLinear);
   info.addressModeU = info.addressModeV = info.addressModeW = vk::SamplerAddressMode::eClampToEdge;
@@ -101,7 +109,8 @@ struct ShadingPass::Impl {
   const SceneBuffers& scene;
   std::vector<BinKind> kinds;
   PathProgram program;
-  DeviceImage blackCube, white, whiteArray;
+  DeviceImage blackCube, white, whiteArray, nothingBehind;
+  const Backdrop* backdrop = nullptr;
   vk::raii::Sampler linearClamp;
   Buffer view, lights, pathData, nothing, nothingUniform;
   vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
@@ -116,8 +125,9 @@ struct ShadingPass::Impl {
 
   Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
       : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
-        white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), linearClamp(makeLinearClamp(dev)),
-        view(dev, sizeof(GpuView)), lights(dev, std::span<const GpuLight>(program.lights)),
+        white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), nothingBehind(makeBlackArray(dev)),
+        linearClamp(makeLinearClamp(dev)), view(dev, sizeof(GpuView)),
+        lights(dev, std::span<const GpuLight>(program.lights)),
         pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), nothing(dev, 0),
         nothingUniform(dev, std::span<const std::byte>(std::vector<std::byte>(kLargestUniform))),
         plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
@@ -174,6 +184,8 @@ struct ShadingPass::Impl {
         *linearClamp, sky && sky->panorama ? sky->panorama->view() : white.view(), kReadOnlyLayout));
     bindings.push_back(uniform(sky && sky->lamps ? *sky->lamps : nothingUniform));
     bindings.push_back(uniform(sky && sky->points ? *sky->points : nothingUniform));
+    bindings.push_back(vk::DescriptorImageInfo(*linearClamp, backdrop ? backdrop->image().view() : nothingBehind.view(),
+                                               kReadOnlyLayout));
     return bindings;
   }
 
@@ -237,14 +249,14 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   ShadedSurface result;
   result.premultiplied = program.premultiplied;
   const std::size_t n = surface.size();
-  if (program.terms) result.terms.resize(scene.termCount());
+  if (program.terms) result.terms.resize(shadesLobes ? program.planesOfLobes : scene.termCount());
   if (n == 0) return result;
 
   GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
-  const std::size_t written = shadesLobes ? shading::kTermCount : shading::kBaseTermCount;
+  const std::size_t written = shadesLobes ? program.planesOfLobes : shading::kBaseTermCount;
   const vk::DeviceSize plane = n * sizeof(glm::vec4);
   const Buffer color(device, plane), termsA(device, program.terms ? kTermsInA * plane : 0),
       termsB(device, program.terms ? (written - kTermsInA) * plane : 0);
@@ -294,6 +306,7 @@ void ShadingPass::setLightColor(std::size_t light, const glm::vec3& color) {
   changed.colorRange = vec4(color, changed.colorRange.w);
   m_impl->lights.upload(std::as_bytes(std::span{&changed, 1}), light * sizeof(GpuLight));
 }
+void ShadingPass::setBackdrop(const Backdrop* backdrop) { m_impl->backdrop = backdrop; }
 const std::vector<CompiledPermutation>& ShadingPass::compiled() const { return m_impl->compiled; }
 Spirv ShadingPass::spirv() const { return m_impl->program.spirv; }
 std::uint32_t ShadingPass::directionalCount() const { return m_impl->program.directionalCount; }

@@ -11,9 +11,11 @@
 
 #include "gpu/device/pipeline.h"
 #include "gpu/shadows/shadow_maps.h"
+#include "gpu/surface/backdrop.h"
 #include "gpu/surface/baked_maps.h"
 #include "gpu/surface/permutations.h"
 #include "gpu/surface/surface_pass.h"
+#include "shading/terms.h"
 
 namespace parity::gpu {
 
@@ -63,7 +65,8 @@ struct PathProgram {
   std::uint32_t hiddenFeatures = 0;               // kFeature... bits that materials are shaded without
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same
   bool terms = false;
-  bool premultiplied = false;       // the shader multiplies colour and terms by the opacity
+  std::size_t planesOfLobes = shading::kTermCount; // that spirvOfLobes writes where it writes terms
+  bool premultiplied = false;                      // the shader multiplies colour and terms by the opacity
   std::uint64_t expectedPixels = 0; // that this run will shade by this path: decides what is worth compiling
   Compilation compilation;
 };
@@ -92,6 +95,10 @@ public:
 
   // From now on this light of the program's list has that colour: black switches it off, and no shader is compiled.
   void setLightColor(std::size_t light, const glm::vec3& color);
+
+  // From now on what lies behind surfaces that light passes through (binding 29); null: nothing. It must outlive the
+  // pass or be taken off.
+  void setBackdrop(const Backdrop* backdrop);
 
   // In order of their first use.
   const std::vector<CompiledPermutation>& compiled() const;

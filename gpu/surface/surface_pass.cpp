@@ -141,6 +141,16 @@ VisibleLayers SurfacePass::rasterise(const scenes::Camera& camera, const Tile& t
   return visible;
 }
 
+VisibleLayers SurfacePass::rasteriseBehind(const scenes::Camera& camera, const Tile& tile,
+                                           const glm::vec2& sample) const {
+  VisibleLayers visible;
+  visible.sample = sample;
+  const bool withoutTransmissive = true;
+  visible.layers.push_back(
+      m_impl->makeLayer(m_impl->visibility.renderOpaque({camera, tile, sample}, withoutTransmissive), tile, false));
+  return visible;
+}
+
 Surface SurfacePass::resolve(const VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera) const {
   const VisibleLayers::Layer& seen = visible.layers[layer];
   Surface surface;

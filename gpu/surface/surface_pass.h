@@ -44,6 +44,8 @@ public:
 
   // Blended surfaces are peeled from the front to the back, so that what a limit cuts off is what shows least.
   VisibleLayers rasterise(const scenes::Camera& camera, const Tile& tile, const glm::vec2& sample) const;
+  // The opaque layer alone, as if surfaces that light passes through were not there.
+  VisibleLayers rasteriseBehind(const scenes::Camera& camera, const Tile& tile, const glm::vec2& sample) const;
   // One of the layers that this pass found with this camera.
   Surface resolve(const VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera) const;
   // All layers at once, from the back to the front.

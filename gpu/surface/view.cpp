@@ -70,6 +70,11 @@ GpuView makeView(const scenes::Scene& scene, const scenes::Camera& camera, std::
     view.fog = vec4(fog->density, fog->heightFalloff, fog->height, fog->startDistance);
     view.fogColor = vec4(fog->color, fog->maxOpacity);
   }
+  const glm::mat4 rows = glm::transpose(makeWorldToClip(camera, aspect));
+  view.picture[0] = 0.5f * (rows[3] + rows[0]);
+  view.picture[1] = 0.5f * (rows[3] - rows[1]); // down
+  view.picture[2] = rows[3];
+  view.pictureScale = vec4(0.5f * static_cast<float>(height) / halfHeight, 0, 0, 0);
   return view;
 }
 

@@ -97,15 +97,15 @@ struct VisibilityPass::Impl {
   }
 
   void draw(const vk::raii::CommandBuffer& commands, const Part& part, const DeviceImage& toIds,
-            const DeviceImage& toDepth, std::optional<std::uint32_t> layer) const;
+            const DeviceImage& toDepth, std::optional<std::uint32_t> layer, bool withoutTransmissive = false) const;
   void drawInstances(const vk::raii::CommandBuffer& commands, const glm::mat4& worldToClip,
-                     std::optional<std::uint32_t> layer) const;
+                     std::optional<std::uint32_t> layer, bool withoutTransmissive) const;
   void copyOut(const vk::raii::CommandBuffer& commands, const DeviceImage& from, std::uint32_t rows) const;
 };
 
 // layer: of blended surfaces; none: the opaque ones.
 void VisibilityPass::Impl::drawInstances(const vk::raii::CommandBuffer& commands, const glm::mat4& worldToClip,
-                                         std::optional<std::uint32_t> layer) const {
+                                         std::optional<std::uint32_t> layer, bool withoutTransmissive) const {
   const scenes::Scene& s = scene.scene();
   const vk::PipelineLayout layout = layer ? *peelLayout : *rasterLayout;
   commands.bindIndexBuffer(scene.indices.handle(), 0, vk::IndexType::eUint32);
@@ -116,6 +116,7 @@ void VisibilityPass::Impl::drawInstances(const vk::raii::CommandBuffer& commands
     const std::uint32_t materialIndex = scene.materialOfInstance()[i];
     const scenes::Material& material = s.materials[materialIndex];
     if ((material.alphaMode == scenes::AlphaMode::blend) != layer.has_value()) continue;
+    if (withoutTransmissive && material.hasTransmission()) continue;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, layer                                           ? *peeling
                                                             : material.alphaMode == scenes::AlphaMode::mask ? *masked
                                                                                                             : *plain);
@@ -132,7 +133,8 @@ void VisibilityPass::Impl::drawInstances(const vk::raii::CommandBuffer& commands
 }
 
 void VisibilityPass::Impl::draw(const vk::raii::CommandBuffer& commands, const Part& part, const DeviceImage& toIds,
-                                const DeviceImage& toDepth, std::optional<std::uint32_t> layer) const {
+                                const DeviceImage& toDepth, std::optional<std::uint32_t> layer,
+                                bool withoutTransmissive) const {
   const auto w = static_cast<float>(width), h = static_cast<float>(height);
   changeLayout(commands, toIds, vk::ImageLayout::eUndefined, kColor);
   changeLayout(commands, toDepth, vk::ImageLayout::eUndefined, kDepthLayout);
@@ -149,7 +151,7 @@ void VisibilityPass::Impl::draw(const vk::raii::CommandBuffer& commands, const P
   const float x = 0.5f - part.sample.x, y = 0.5f - part.sample.y - static_cast<float>(part.tile.firstRow);
   commands.setViewport(0, vk::Viewport(x, y + h, w, -h, 0, 1));
   commands.setScissor(0, area);
-  drawInstances(commands, makeWorldToClip(part.camera, w / h), layer);
+  drawInstances(commands, makeWorldToClip(part.camera, w / h), layer, withoutTransmissive);
   commands.endRendering();
 }
 
@@ -167,10 +169,10 @@ VisibilityPass::VisibilityPass(const Device& device, const SceneBuffers& scene, 
 VisibilityPass::~VisibilityPass() = default;
 bool VisibilityPass::hasBlended() const { return m_impl->blended; }
 
-VisibilityPass::Ids VisibilityPass::renderOpaque(const Part& part) const {
+VisibilityPass::Ids VisibilityPass::renderOpaque(const Part& part, bool withoutTransmissive) const {
   const Impl& impl = *m_impl;
   impl.device.submit("surface raster", [&](const vk::raii::CommandBuffer& commands) {
-    impl.draw(commands, part, impl.ids[0], impl.depth, std::nullopt);
+    impl.draw(commands, part, impl.ids[0], impl.depth, std::nullopt, withoutTransmissive);
     impl.copyOut(commands, impl.ids[0], part.tile.rows);
     if (impl.blended) changeLayout(commands, impl.depth, kDepthLayout, kReadOnlyLayout);
   });

@@ -27,8 +27,9 @@ public:
   };
   // A picture of the tile, rows tight: (instance + 1, triangle); 0: nothing there.
   using Ids = std::vector<glm::uvec2>;
-  // The nearest opaque or alpha-masked surfaces.
-  Ids renderOpaque(const Part& part) const;
+  // The nearest opaque or alpha-masked surfaces; withoutTransmissive: of materials that light does not pass through
+  // (scenes::Material::hasTransmission).
+  Ids renderOpaque(const Part& part, bool withoutTransmissive = false) const;
   // The nearest blended surfaces of those that earlier calls for the same part have not shown: layer 0, 1, 2... after
   // renderOpaque, whose depth hides them; where it is equal they lie on top. Of blended surfaces at the very same
   // depth the later one in the scene is in front, as if they were drawn in its order. No pixel shows a layer that did

@@ -54,6 +54,7 @@ struct Shader {
   float anisotropy;     // 0: none
   float perceptual;     // the material's roughness, which alpha along T and B come from
   float film, filmIor, filmThickness; // film 0: none
+  vec3 left; // what the specular lobe leaves to the diffuse one and to what passes through
 #endif
 };
 
@@ -104,6 +105,8 @@ Shader makeShader(Point p, Resolved m) {
   s.film = m.iridescence;
   s.filmIor = m.filmIor;
   s.filmThickness = m.filmThickness;
+  s.left = vec3(1.0);
+  s.diffuseColor *= (1.0 - m.transmission) * (1.0 - m.diffuseTransmission);
   if (isAnisotropic(s)) { // of the round lobe that loses about as much between its facets (docs/shading.md 11e)
     vec2 alpha = alphasOf(s, kLeastAlpha);
     s.roughness = sqrt(projectedAlpha(alpha.x, alpha.y, 0.0, 0.0));
@@ -138,7 +141,13 @@ Shader makeShader(Point p, Resolved m) {
   show(kViewEnvBrdfB, vec3(AB.y));
   show(kViewEnvBrdf, once);
   show(kViewEnvBrdfMultiple, s.single - once + s.multiple);
-  if (kDiffuse == kDiffuseBalanced) s.diffuseColor *= albedoScaling(s.single + s.multiple);
+  if (kDiffuse == kDiffuseBalanced) {
+    vec3 left = albedoScaling(s.single + s.multiple);
+    s.diffuseColor *= left;
+#ifdef PARITY_LOBES
+    s.left = left;
+#endif
+  }
   return s;
 }
 
@@ -193,6 +202,13 @@ float captureScaleAt(Shader s, vec3 irradianceOverPi, float roughness) {
 
 #ifdef PARITY_LOBES
 #include "highend/shaders/lobes.glsl"
+#include "highend/shaders/transmission.glsl"
+
+// As visibilityOf, on the other side of the surface.
+vec3 lightBehind(GpuLight light, Point p, vec3 L, vec3 illuminance) {
+  if (!mayPassThrough()) return vec3(0.0);
+  return kShadows != 0u ? illuminance * visibilityOf(light, p.position, -p.geometric, L) : illuminance;
+}
 #endif
 
 // Evaluated at the pixel.
@@ -218,9 +234,14 @@ void main() {
   Shader s = makeShader(p, m);
 #ifdef PARITY_LOBES
   Layers layers = makeLayers(s, m);
+  Through through = makeThrough(s, m);
 #endif
   for (uint k = 0u; k < directionalCount(); ++k) {
     vec3 L = -lights[k].directionCosOuter.xyz, illuminance = lights[k].colorRange.xyz;
+#ifdef PARITY_LOBES
+    if (mayPassThrough())
+      addThroughLight(terms, through, m, s, L, lightBehind(lights[k], p, L, illuminance), lights[k].cone.y);
+#endif
     if (kShadows != 0u) illuminance *= visibilityOf(lights[k], p.position, p.geometric, L);
     if (k == 0u) illuminance *= readSunShadow(i);
     Lobes lobes = lit(s, L, illuminance);
@@ -244,6 +265,9 @@ void main() {
     vec3 L;
     vec3 illuminance = localLight(light, p.position, L);
     if (illuminance == vec3(0.0)) continue;
+#ifdef PARITY_LOBES
+    if (mayPassThrough()) addThroughLight(terms, through, m, s, L, lightBehind(light, p, L, illuminance), light.cone.y);
+#endif
     if (kShadows != 0u) illuminance *= visibilityOf(light, p.position, p.geometric, L);
     Lobes lobes = lit(s, L, illuminance);
     terms.t[kTermLocalDiffuse] += lobes.diffuse;
@@ -277,6 +301,11 @@ void main() {
   }
   terms.t[kTermEmissive] = m.emissive;
 #ifdef PARITY_LOBES
+  if (mayPassThrough()) {
+    vec3 sky = view.skyLightColor.xyz;
+    vec3 irradianceOverPi = hasEnvironment() ? skyIrradianceOverPi(-s.N) * sky : vec3(0.0);
+    addThroughEnvironment(terms, through, m, s, p, sky, irradianceOverPi);
+  }
   layOver(terms, layers);
 #endif
   writeResult(i, inFog(terms, p), m.opacity);

@@ -124,7 +124,9 @@ void scaleLayersReflection(inout Layers l, Shader base, vec3 irradianceOverPi) {
 // The terms of the base, which are all but those of the layers, dim by what lies over them. Emitted light passes the
 // fibres, which are thin, and the coat.
 void layOver(inout Terms terms, Layers l) {
-  for (int k = 0; k < kTermFog; ++k) terms.t[k] *= k == kTermEmissive ? l.belowCoat : l.belowCoat * l.belowSheen;
+  float below = l.belowCoat * l.belowSheen;
+  for (int k = 0; k < kTermFog; ++k) terms.t[k] *= k == kTermEmissive ? l.belowCoat : below;
+  terms.t[kTermTransmission] *= below;
   terms.t[kTermCoatSpecular] = (terms.t[kTermCoatSpecular] + l.coatReflected) * l.coatShare;
   terms.t[kTermSheen] = (terms.t[kTermSheen] + l.sheenReflected) * l.belowCoat;
 }

@@ -116,6 +116,21 @@ private:
       add("iridescenceThickness", {shortest(m.iridescenceThicknessMax)},
           {.texture = m.iridescenceThicknessTexture, .channels = "g", .atZero = m.iridescenceThicknessMin});
     }
+    if (m.hasTransmission()) add("transmission", {shortest(m.transmission)}, {m.transmissionTexture, "r"});
+    if (m.hasDiffuseTransmission()) {
+      add("diffuseTransmission", {shortest(m.diffuseTransmission)}, {m.diffuseTransmissionTexture, "a"});
+      add("diffuseTransmissionColor", valuesOf(m.diffuseTransmissionColor),
+          {m.diffuseTransmissionColorTexture, "rgb", true});
+    }
+    if (m.hasVolume()) {
+      add("ior", {shortest(m.ior)}, {kNoTexture, ""});
+      add("thickness", {shortest(m.thickness)}, {m.thicknessTexture, "g"});
+    }
+    if (m.hasVolume() && m.attenuationDistance > 0) {
+      add("attenuationColor", valuesOf(m.attenuationColor), {kNoTexture, ""});
+      add("attenuationDistance", {shortest(m.attenuationDistance)}, {kNoTexture, ""});
+    }
+    if (m.hasVolume() && m.dispersion > 0) add("dispersion", {shortest(m.dispersion)}, {kNoTexture, ""});
     constexpr const char* kModes[] = {"opaque", "mask", "blend"};
     card.alphaMode = kModes[static_cast<std::size_t>(m.alphaMode)];
     if (m.alphaMode == AlphaMode::mask) card.alphaCutoff = shortest(m.alphaCutoff);

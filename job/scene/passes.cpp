@@ -14,6 +14,7 @@ std::vector<report::PassResult> describePasses(const Work& work, const NoNeed& w
   add("environment BRDF table", "tables", work.brdfTables, why.table);
   add("surface", "samples", work.surfaceSamples, "");
   add("blended surface", "samples", work.blendedSamples, why.blended);
+  add("backdrop", "samples", work.backdropSamples, why.backdrop);
   add("fog at vertices", "samples", work.fogSamples, why.fog);
   add("textures", "images", work.images, why.texture);
   add("spread of normals", "images", work.varianceImages, why.variance);

@@ -22,6 +22,7 @@ struct Work {
   std::uint64_t varianceImages = 0;   // normal maps whose spread was measured
   std::uint64_t compressedImages = 0; // and uploaded
   std::uint64_t surfaceSamples = 0, blendedSamples = 0;
+  std::uint64_t backdropSamples = 0;                                // behind surfaces that light passes through
   std::uint64_t fogSamples = 0;                                     // given the fog of their vertices
   std::uint64_t directionalLights = 0, localLights = 0;             // that shaders of all lights loop over
   std::uint64_t lightLists = 0;                                     // of local lights that reach a group of pixels
@@ -42,8 +43,9 @@ struct Work {
 
 // Why there was no such work; each is empty where there may have been.
 struct NoNeed {
-  std::string environment, suns, table, texture, variance, compression, blended, fog, directional, local, lightLists,
-      shadows, baked, captures, lightChoice, lobe, terms, truth, occluders, droppedLights, droppedLobes, costs, whatIfs;
+  std::string environment, suns, table, texture, variance, compression, blended, backdrop, fog, directional, local,
+      lightLists, shadows, baked, captures, lightChoice, lobe, terms, truth, occluders, droppedLights, droppedLobes,
+      costs, whatIfs;
 };
 
 // In the order of the work. A count of 0 has a reason.

@@ -237,8 +237,19 @@ const paths::Light& lightOf(const PreparedScene& prepared, const paths::Path& pa
   return found == prepared.lightOfPath.end() ? none : found->second;
 }
 
+bool letsLightThrough(const scenes::Scene& scene) {
+  return std::ranges::any_of(scene.meshes, [&](const scenes::Mesh& mesh) {
+    const scenes::Material& material = scene.materials[mesh.material];
+    return material.hasTransmission() || material.hasDiffuseTransmission();
+  });
+}
+
+bool tracesScene(const PreparedScene& prepared) {
+  return prepared.settings.shadows || prepared.settings.reference.bounces > 0 || letsLightThrough(prepared.scene);
+}
+
 std::function<void(int)> imageRelease(PreparedScene& prepared, const PathChoice& paths) {
-  if (paths.truth && (prepared.settings.shadows || prepared.settings.reference.bounces > 0)) return {};
+  if (paths.truth && tracesScene(prepared)) return {};
   return [&prepared](int image) { prepared.scene.images[static_cast<std::size_t>(image)].pixels = {}; };
 }
 

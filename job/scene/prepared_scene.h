@@ -38,12 +38,17 @@ struct PreparedScene {
 // A path's light; without lights and environment where the path was not asked for.
 const paths::Light& lightOf(const PreparedScene& prepared, const paths::Path& path);
 
+// Whether light passes through a material of the scene, so that the truth looks at what lies behind.
+bool letsLightThrough(const scenes::Scene& scene);
+// Whether the truth traces rays against the scene: for shadows, bounces, or what lies behind.
+bool tracesScene(const PreparedScene& prepared);
+
 // Loads scene and environment (at the same time), extracts suns, applies flags. Throws Error: exit 4 for what cannot
 // be read, for an empty scene and for one with nothing that gives light; usage for a glob that no material matches.
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const PathChoice& paths);
 
-// For SceneRenderer's onLastRead: frees the pixels of an image. Empty where the truth will read them, to let light
-// through masks or to reflect it. `prepared` must outlive it.
+// For SceneRenderer's onLastRead: frees the pixels of an image. Empty where the truth will read them, where it
+// tracesScene. `prepared` must outlive it.
 std::function<void(int)> imageRelease(PreparedScene& prepared, const PathChoice& paths);
 
 } // namespace parity::job

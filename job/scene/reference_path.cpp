@@ -45,7 +45,15 @@ samplesOf(const gpu::Surface& surface, const std::vector<gpu::ResolvedMaterial>&
                   .tangent = m.tangent,
                   .iridescence = m.iridescence,
                   .filmIor = m.filmIor,
-                  .filmThickness = m.filmThickness};
+                  .filmThickness = m.filmThickness,
+                  .instance = surface.instances[i],
+                  .transmission = m.transmission,
+                  .ior = m.ior,
+                  .thickness = m.thickness,
+                  .absorption = m.absorption,
+                  .dispersion = m.dispersion,
+                  .diffuseTransmission = m.diffuseTransmission,
+                  .diffuseTransmissionColor = m.diffuseTransmissionColor};
   }
   return samples;
 }
@@ -84,10 +92,12 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
         .addValue(light.innerConeAngle)
         .addValue(light.outerConeAngle)
         .addValue(light.specularScale);
-  hasher.addValue(settings.reference.bounces);
-  if (settings.reference.bounces > 0) hasher.add(lighting::hashOfSurfaces(prepared.scene));
-  hasher.add(settings.shadows || settings.reference.bounces > 0 ? lighting::hashOfOccluders(prepared.scene)
-                                                                : "no shadows");
+  hasher.addValue(settings.reference.bounces).addValue(settings.shadows);
+  const bool looksThrough = letsLightThrough(prepared.scene);
+  if (settings.reference.bounces > 0 || looksThrough) hasher.add(lighting::hashOfSurfaces(prepared.scene));
+  if (looksThrough) // which meshes bound a body
+    for (const scenes::Material& material : prepared.scene.materials) hasher.addValue(material.hasVolume());
+  hasher.add(tracesScene(prepared) ? lighting::hashOfOccluders(prepared.scene) : "no occluders");
   return hasher.hex();
 }
 
@@ -123,23 +133,32 @@ std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<
   if (m_prepared.panorama && !m_sampler)
     m_sampler = std::make_unique<reference::EnvironmentSampler>(*m_prepared.panorama);
   const bool hasCoat = std::ranges::any_of(samples, [](const auto& sample) { return sample.coat > 0; });
-  if ((options.model.needsAlbedo() || hasCoat) && !m_albedo)
+  const bool looksThrough = std::ranges::any_of(samples, reference::isPassedThrough);
+  const auto isBody = [](const reference::SurfaceSample& sample) {
+    return sample.transmission > 0 && sample.thickness > 0;
+  };
+  if ((options.model.needsAlbedo() || hasCoat || looksThrough) && !m_albedo)
     m_albedo = std::make_unique<reference::DirectionalAlbedo>(albedoOf(m_context, options.model));
   if (!m_sheenAlbedo && std::ranges::any_of(samples, reference::hasSheen))
     m_sheenAlbedo = std::make_unique<reference::SheenAlbedo>();
-  if ((m_settings.shadows || options.bounces > 0) && !m_visibility)
+  const bool castsShadows = m_settings.shadows || options.bounces > 0;
+  if ((castsShadows || looksThrough) && !m_visibility)
     m_visibility = std::make_unique<lighting::Visibility>(m_prepared.scene);
-  if (options.bounces > 0 && !m_surfaces) {
+  if (!m_bodies && std::ranges::any_of(samples, isBody))
+    m_bodies = std::make_unique<lighting::Visibility>(m_prepared.scene, lighting::Visibility::Contents::bodies);
+  if ((options.bounces > 0 || looksThrough) && !m_surfaces) {
     m_surfaces = std::make_unique<lighting::SurfaceLight>(m_prepared.scene);
     m_emitters = std::make_unique<lighting::Emitters>(m_prepared.scene, *m_surfaces);
   }
   const reference::Inputs inputs{.environment = m_sampler.get(),
                                  .albedo = m_albedo.get(),
                                  .lights = m_prepared.lights,
-                                 .visibility = m_visibility.get(),
+                                 .visibility = castsShadows ? m_visibility.get() : nullptr,
                                  .surfaces = m_surfaces.get(),
                                  .emitters = m_emitters.get(),
-                                 .sheenAlbedo = m_sheenAlbedo.get()};
+                                 .sheenAlbedo = m_sheenAlbedo.get(),
+                                 .behind = looksThrough ? m_visibility.get() : nullptr,
+                                 .bodies = m_bodies.get()};
   return reference::shade(samples, inputs, options, progress);
 }
 

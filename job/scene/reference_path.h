@@ -45,7 +45,8 @@ private:
   std::unique_ptr<reference::DirectionalAlbedo> m_albedo;
   std::unique_ptr<reference::SheenAlbedo> m_sheenAlbedo; // where something has a sheen
   std::unique_ptr<lighting::Visibility> m_visibility;
-  std::unique_ptr<lighting::SurfaceLight> m_surfaces; // these two where light bounces
+  std::unique_ptr<lighting::Visibility> m_bodies;     // where something is seen through one
+  std::unique_ptr<lighting::SurfaceLight> m_surfaces; // these two where light bounces or passes through
   std::unique_ptr<lighting::Emitters> m_emitters;
 };
 

@@ -40,6 +40,7 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
                        {},
                        {},
                        {},
+                       {},
                        {}});
   for (std::size_t i = 1; i < m_paths.size(); ++i) // those that are compared with the first
     if (m_scene.hasOwnTextures(*m_paths[i].path, settings.options))
@@ -47,13 +48,12 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
   if (paths.compares())
     for (const WhatIfPreset& each : settings.whatIfs) {
       const paths::Path& path = pathByName(each.path);
-      m_whatIfs.push_back({&path, makeRenderer(path, each.options, {}, views), {}, {}, {}, {}});
+      m_whatIfs.push_back({&path, makeRenderer(path, each.options, {}, views), {}, {}, {}, {}, {}});
     }
   if (paths.truth) {
     m_truth.emplace(context, prepared, settings, m_scene.buffers(), m_scene.surfacePass().binKinds(),
                     pixelsOf(settings, views), gpu::Compilation{budget, &context.pipelines()});
-    if (prepared.settings.shadows || prepared.settings.reference.bounces > 0)
-      m_work.occluderMeshes = prepared.scene.meshes.size();
+    if (tracesScene(prepared)) m_work.occluderMeshes = prepared.scene.meshes.size();
   }
 }
 
@@ -121,6 +121,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   ViewBuilder view(settings, plans, m_truth.has_value(), m_scene.buffers());
   std::set<std::uint32_t> cutPixels;
   m_kept.clear();
+  renderBackdrops(camera);
   m_seenSamples.assign(m_mayDropLights ? m_prepared.scene.instances.size() : 0, 0);
 
   const std::vector<gpu::Tile> tiles =
@@ -164,6 +165,37 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
   return view.take();
 }
 
+void SceneRenderer::renderBackdrops(const scenes::Camera& camera) {
+  if (m_choice.intermediate != 0) return; // light behind is no intermediate
+  const auto width = static_cast<std::uint32_t>(m_settings.width),
+             height = static_cast<std::uint32_t>(m_settings.height);
+  std::vector<PathState*> reading;
+  std::vector<gpu::BackdropBuilder> builders;
+  for (std::vector<PathState>* states : {&m_paths, &m_whatIfs})
+    for (PathState& each : *states)
+      if (each.plain->readsBackdrop()) {
+        reading.push_back(&each);
+        builders.emplace_back(width, height, m_settings.samples);
+      }
+  if (reading.empty()) return;
+  const base::Stopwatch watch(&m_context.timings(), "backdrop");
+  for (const gpu::Tile& tile : gpu::makeTiles(width, height))
+    for (const glm::vec2& sample : gpu::samplePositions(m_settings.samples, m_settings.filterWidth)) {
+      m_context.requireGoesOn();
+      const gpu::VisibleLayers visible = m_scene.surfacePass().rasteriseBehind(camera, tile, sample);
+      m_scene.requireTextures(visible);
+      const gpu::Surface surface = m_scene.surfacePass().resolve(visible, 0, camera);
+      m_work.backdropSamples += surface.size();
+      for (std::size_t i = 0; i < reading.size(); ++i)
+        builders[i].lay(surface, camera, reading[i]->plain->shade(surface, camera).color);
+    }
+  for (std::size_t i = 0; i < reading.size(); ++i) {
+    reading[i]->backdrop.emplace(builders[i].take(m_context.device()));
+    reading[i]->giveBackdrop(*reading[i]->plain);
+    if (reading[i]->ofOriginals) reading[i]->giveBackdrop(*reading[i]->ofOriginals);
+  }
+}
+
 void SceneRenderer::shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
                           const reference::Progress& progress, ViewBuilder& view) {
   countSurface(surface, m_work);
@@ -197,8 +229,10 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
   const Settings& settings = m_settings;
   assert(path > 0 && !settings.terms);
   PathState &first = m_paths.front(), &other = m_paths[path];
-  for (PathState* each : {&first, &other}) // for one view: whether there will be another is not known
+  for (PathState* each : {&first, &other}) { // for one view: whether there will be another is not known
     if (!each->withTerms) each->withTerms = makeRenderer(*each->path, {.terms = true}, 1);
+    each->giveBackdrop(*each->withTerms);
+  }
   gpu::FrameBuilder firstFrame = makeFrame(true), otherFrame = makeFrame(true);
   std::vector<char> wanted(m_prepared.scene.materials.size(), 0);
   for (const std::size_t material : materials) wanted[material] = 1;
@@ -228,6 +262,7 @@ base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera
   if (!first.switched) first.switched = makeRenderer(*first.path, {}, m_views);
   gpu::FrameBuilder frame = makeFrame(false);
   first.switched->switchLight(light, false);
+  first.giveBackdrop(*first.switched);
   const auto lay = [&](const gpu::Surface& surface) {
     const base::Stopwatch watch(&m_context.timings(), "shade without a light");
     frame.lay(surface, first.switched->shade(surface, camera));
@@ -242,6 +277,7 @@ base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scen
   PathState& first = m_paths.front();
   std::unique_ptr<paths::Renderer>& without = first.without[features];
   if (!without) without = makeRenderer(*first.path, {.hiddenFeatures = features}, m_views);
+  first.giveBackdrop(*without);
   gpu::FrameBuilder frame = makeFrame(false);
   const auto lay = [&](const gpu::Surface& surface) {
     const base::Stopwatch watch(&m_context.timings(), "shade without a lobe");

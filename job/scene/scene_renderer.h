@@ -63,6 +63,9 @@ private:
     std::unique_ptr<paths::Renderer> ofOriginals;         // where it has textures of its own, and the run compares
     std::unique_ptr<paths::Renderer> withTerms, switched; // made when first needed
     std::map<std::uint32_t, std::unique_ptr<paths::Renderer>> without; // the same, without some lobes
+    std::optional<gpu::Backdrop> backdrop; // of the last view, where the path reads one; the path's renderers share it
+
+    void giveBackdrop(paths::Renderer& renderer) const { renderer.setBackdrop(backdrop ? &*backdrop : nullptr); }
   };
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Path& path, SceneOnDevice::RendererWish wish,
                                                 std::size_t views);
@@ -71,6 +74,8 @@ private:
   bool mayDropLights() const;
   bool mayDropLobes() const;
   gpu::VisibleLayers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
+  // What lies behind surfaces that light passes through, by the paths that read it.
+  void renderBackdrops(const scenes::Camera& camera);
   gpu::Surface resolve(const gpu::VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera);
   // By every path, laid over what is in `view` already.
   void shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,

@@ -119,6 +119,7 @@ NoNeed SceneRenderer::reasons() const {
   });
   why.compression = compresses ? why.texture : "not requested";
   why.blended = "no blended material";
+  why.backdrop = "light passes through no surface, or no path reads what is behind";
   why.fog = "no fog";
   why.lobe = "no object has it";
   why.directional = !unlit.empty() ? unlit : "no directional light";

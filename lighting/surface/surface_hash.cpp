@@ -13,9 +13,9 @@ namespace {
 
 // Not in the keys: names; tangents, which hashOfSurfaces adds; what decides no light that is baked or bounced: how mips
 // are read, the fully rough shortcut, what no path shows; and all lobes beside the base's own, which baked and bounced
-// light leave out.
+// light leave out, but for whether a material lets light past it.
 static_assert(base::memberCount<scenes::Mesh>() == 9 && base::memberCount<scenes::Instance>() == 3 &&
-                  base::memberCount<scenes::Material>() == 42 && base::memberCount<scenes::TextureSlot>() == 4 &&
+                  base::memberCount<scenes::Material>() == 53 && base::memberCount<scenes::TextureSlot>() == 4 &&
                   base::memberCount<scenes::Sampler>() == 6,
               "a new member goes into the key, or is named here with the reason why not");
 
@@ -49,6 +49,7 @@ std::string hashOfMaterials(const scenes::Scene& scene) {
     hasher.addValue(m.alphaCutoff).addValue(m.alphaMode).addValue(m.doubleSided).addValue(m.unlit);
     hasher.addValue(m.ior).addValue(m.specular).addValue(m.specularColor);
     hasher.addValue(m.normalScale).addValue(m.occlusionStrength);
+    if (m.hasTransmission() && !m.castsShadow()) hasher.addValue(true); // other materials keep their keys
     for (const scenes::TextureSlot* slot :
          {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.emissiveTexture, &m.normalTexture, &m.occlusionTexture,
           &m.specularTexture, &m.specularColorTexture}) {

@@ -20,8 +20,12 @@ namespace {
 constexpr double kOffset = 0x1p-18;
 
 bool casts(const scenes::Scene& scene, const scenes::Instance& instance) {
-  const scenes::Material& material = scene.materials[scene.meshes[instance.mesh].material];
-  return material.alphaMode != scenes::AlphaMode::blend && !material.unlit;
+  return scene.materials[scene.meshes[instance.mesh].material].castsShadow();
+}
+
+bool isIn(Visibility::Contents contents, const scenes::Scene& scene, const scenes::Instance& instance) {
+  if (contents == Visibility::Contents::casters) return casts(scene, instance);
+  return scene.materials[scene.meshes[instance.mesh].material].hasVolume();
 }
 
 struct ReleaseDevice {
@@ -65,6 +69,18 @@ void passHoles(const RTCFilterFunctionNArguments* args) {
   }
 }
 
+// A ray's context: of one geometry alone, or of all but one.
+struct ChosenGeometry {
+  RTCIntersectContext context; // first: Embree hands out a pointer to it
+  unsigned geometry;
+  bool stopsThere;
+  static void passOthers(const RTCFilterFunctionNArguments* args) {
+    const auto& chosen = *reinterpret_cast<const ChosenGeometry*>(args->context);
+    for (unsigned i = 0; i < args->N; ++i)
+      if ((RTCHitN_geomID(args->hit, args->N, i) == chosen.geometry) != chosen.stopsThere) args->valid[i] = 0;
+  }
+};
+
 RTCRay makeRay(const glm::dvec3& origin, const glm::dvec3& direction, double maxDistance) {
   RTCRay ray{};
   ray.org_x = static_cast<float>(origin.x);
@@ -91,7 +107,14 @@ struct Visibility::Impl {
     std::uint32_t instance = 0;
     bool mirrored = false; // its transform turns fronts into backs
   };
-  std::vector<Source> sources; // of each Embree geometry
+  std::vector<Source> sources; // of each Embree geometry, by instance
+  bool choosesGeometry = false;
+
+  std::optional<Hit> firstHit(RTCIntersectContext& context, const glm::dvec3& origin, const glm::dvec3& direction,
+                              double maxDistance) const;
+  // Of one instance alone, or of all but it.
+  std::optional<Hit> firstHit(std::uint32_t instance, bool stopsThere, const glm::dvec3& origin,
+                              const glm::dvec3& direction, double maxDistance) const;
 
   void check(const scenes::Scene& content) const {
     if (!error.text.empty()) throw base::fileError(content.name, "shadows", "Embree: " + error.text);
@@ -129,10 +152,10 @@ struct Visibility::Impl {
   }
 };
 
-Visibility::Visibility(const scenes::Scene& scene) : m_impl(std::make_unique<Impl>()) {
+Visibility::Visibility(const scenes::Scene& scene, Contents contents) : m_impl(std::make_unique<Impl>()) {
   std::size_t triangles = 0; // or what a third of the vertices could make, where most are unused
   for (const scenes::Instance& instance : scene.instances)
-    if (const scenes::Mesh& mesh = scene.meshes[instance.mesh]; casts(scene, instance))
+    if (const scenes::Mesh& mesh = scene.meshes[instance.mesh]; isIn(contents, scene, instance))
       triangles += std::max(mesh.indices.size(), mesh.positions.size()) / 3;
   if (triangles > kMaxTriangles)
     throw base::fileError(scene.name, "shadows",
@@ -147,9 +170,12 @@ Visibility::Visibility(const scenes::Scene& scene) : m_impl(std::make_unique<Imp
   rtcSetDeviceErrorFunction(impl.device.get(), FirstError::take, &impl.error);
   impl.scene.reset(rtcNewScene(impl.device.get()));
   impl.check(scene);
-  rtcSetSceneFlags(impl.scene.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
+  impl.choosesGeometry = std::ranges::any_of(scene.materials, &scenes::Material::hasVolume);
+  const int filter = impl.choosesGeometry ? RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION : 0; // others do without its cost
+  rtcSetSceneFlags(impl.scene.get(),
+                   static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT | filter));
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
-    if (casts(scene, scene.instances[i])) impl.add(scene, i);
+    if (isIn(contents, scene, scene.instances[i])) impl.add(scene, i);
   rtcCommitScene(impl.scene.get());
   impl.check(scene);
 }
@@ -171,17 +197,15 @@ bool Visibility::isOccluded(const glm::dvec3& origin, const glm::dvec3& directio
   return ray.tfar < 0; // Embree's sign for a hit
 }
 
-std::optional<Visibility::Hit> Visibility::firstHit(const glm::dvec3& origin, const glm::dvec3& direction,
-                                                    double maxDistance) const {
+std::optional<Visibility::Hit> Visibility::Impl::firstHit(RTCIntersectContext& context, const glm::dvec3& origin,
+                                                          const glm::dvec3& direction, double maxDistance) const {
   if (!(maxDistance > 0)) return std::nullopt;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRayHit query{};
   query.ray = makeRay(origin, direction, maxDistance);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(m_impl->scene.get(), &context, &query);
+  rtcIntersect1(scene.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  const Impl::Source& source = m_impl->sources[query.hit.geomID];
+  const Source& source = sources[query.hit.geomID];
   const glm::vec3 counterClockwise = glm::normalize(glm::vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z));
   const glm::vec3 geometric = source.mirrored ? -counterClockwise : counterClockwise;
   return Hit{.instance = source.instance,
@@ -192,9 +216,39 @@ std::optional<Visibility::Hit> Visibility::firstHit(const glm::dvec3& origin, co
              .front = glm::dot(geometric, glm::vec3(direction)) < 0};
 }
 
+std::optional<Visibility::Hit> Visibility::Impl::firstHit(std::uint32_t instance, bool stopsThere,
+                                                          const glm::dvec3& origin, const glm::dvec3& direction,
+                                                          double maxDistance) const {
+  const auto found = std::ranges::lower_bound(sources, instance, {}, &Source::instance);
+  const bool isThere = found != sources.end() && found->instance == instance;
+  ChosenGeometry chosen{.context = {},
+                        .geometry = isThere ? static_cast<unsigned>(found - sources.begin()) : RTC_INVALID_GEOMETRY_ID,
+                        .stopsThere = stopsThere};
+  rtcInitIntersectContext(&chosen.context);
+  if (choosesGeometry) chosen.context.filter = ChosenGeometry::passOthers;
+  return firstHit(chosen.context, origin, direction, maxDistance);
+}
+
+std::optional<Visibility::Hit> Visibility::firstHit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                    double maxDistance) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  return m_impl->firstHit(context, origin, direction, maxDistance);
+}
+
+std::optional<Visibility::Hit> Visibility::firstHitOf(std::uint32_t instance, const glm::dvec3& origin,
+                                                      const glm::dvec3& direction, double maxDistance) const {
+  return m_impl->firstHit(instance, true, origin, direction, maxDistance);
+}
+
+std::optional<Visibility::Hit> Visibility::firstHitBeside(std::uint32_t instance, const glm::dvec3& origin,
+                                                          const glm::dvec3& direction, double maxDistance) const {
+  return m_impl->firstHit(instance, false, origin, direction, maxDistance);
+}
+
 // Not in the key: what decides nothing of where a ray is stopped.
 static_assert(base::memberCount<scenes::Mesh>() == 9 && base::memberCount<scenes::Instance>() == 3 &&
-                  base::memberCount<scenes::Material>() == 42 && base::memberCount<scenes::TextureSlot>() == 4 &&
+                  base::memberCount<scenes::Material>() == 53 && base::memberCount<scenes::TextureSlot>() == 4 &&
                   base::memberCount<scenes::Sampler>() == 6,
               "a new member goes into the key, or is named here with the reason why not");
 

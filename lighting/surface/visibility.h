@@ -21,9 +21,12 @@ namespace parity::lighting {
 // constructor may be called by any number of threads; the answers depend on the scene alone.
 class Visibility {
 public:
+  // bodies: in place of all that, the instances that bound a body which light passes through
+  // (scenes::Material::hasVolume), whether they occlude or not.
+  enum class Contents { casters, bodies };
   // The scene must outlive it and not change. Throws base::Error (exit 4) beyond kMaxTriangles, and for what Embree
   // reports.
-  explicit Visibility(const scenes::Scene& scene);
+  explicit Visibility(const scenes::Scene& scene, Contents contents = Contents::casters);
   ~Visibility();
 
   // Of all instances together. Embree took 50 bytes a triangle of a floor of 4 million, copies of its vertices
@@ -45,6 +48,12 @@ public:
   // As isOccluded, and what it is that lies there first; nothing where the ray meets nothing.
   std::optional<Hit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction,
                               double maxDistance = std::numeric_limits<double>::infinity()) const;
+  // The same of one instance, as if nothing else were there, and of all but one. Of scenes with a body alone: elsewhere
+  // both are firstHit.
+  std::optional<Hit> firstHitOf(std::uint32_t instance, const glm::dvec3& origin, const glm::dvec3& direction,
+                                double maxDistance = std::numeric_limits<double>::infinity()) const;
+  std::optional<Hit> firstHitBeside(std::uint32_t instance, const glm::dvec3& origin, const glm::dvec3& direction,
+                                    double maxDistance = std::numeric_limits<double>::infinity()) const;
 
   // Where a ray leaves a surface so that it does not meet the surface itself: moved along the geometric normal (unit,
   // towards the side of the ray) by surfaceOffset(position).

@@ -60,6 +60,7 @@ void addDirectionalLight(inout BasePass pass, Shaded s, Point p, uint i) {
 #ifdef PARITY_LOBES
   squeezeLight(Lighting, s.microfacets, s.sun, s.context, s.frame, L);
   addLayersLight(pass, s.layers, s.frame, s.NoV, DirectionalLightColor, L, SpecularScale, Lighting);
+  addThroughLight(pass, s.through, s.frame, DirectionalLightColor, L);
 #endif
   real3 lit = lightWith(DirectionalLightColor, Lighting, SpecularScale);
   addLight(pass, kTermSunDiffuse, DirectionalLightColor, Lighting, SpecularScale, lit);
@@ -88,6 +89,8 @@ void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
     direction = kIsRefit ? refitDirection(bent.N, bent.V, s.microfacets.bentNoV, tap.lean) : bent.reflection;
     mip = kIsRefit ? tap.mip : mipFromRoughness(s.microfacets.readRoughness);
   }
+  s.readDirection = vec3(direction);
+  s.readMip = mip;
 #endif
   real scale = captureScale(kCaptureScale, s.IndirectIrradiance, averageBrightnessOf(s.capture),
                             s.context.Roughness, s.MaterialAO, mixingOfView());
@@ -135,6 +138,7 @@ void addLocalLights(inout BasePass pass, Shaded s, Point p) {
 #ifdef PARITY_LOBES
     squeezeLight(Lighting, s.microfacets, s.sun, s.context, s.frame, seen.L);
     addLayersLight(pass, s.layers, s.frame, s.NoV, seen.color, seen.L, SpecularScale, Lighting);
+    addThroughLight(pass, s.through, s.frame, seen.color, seen.L);
 #endif
     real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
     addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);

@@ -117,6 +117,7 @@ void layOver(inout BasePass pass, Layers l) {
   pass.Color = finite(add(add(product(finite(pass.Color), l.below), sheen), coat));
   if (kWriteTerms == 0u) return;
   for (int k = 0; k < kTermFog; ++k) pass.terms.t[k] *= float(l.below);
+  pass.terms.t[kTermTransmission] *= float(l.below);
   addTerm(pass, kTermCoatSpecular, coat);
   addTerm(pass, kTermSheen, sheen);
 }

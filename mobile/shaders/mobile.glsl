@@ -8,6 +8,7 @@
 #ifdef PARITY_LOBES
 #include "shading/mobile_lobes.glsl"
 #include "shading/mobile_microfacets.glsl"
+#include "shading/mobile_transmission.glsl"
 #endif
 #include "shading/rgbm.glsl"
 #include "shading/tinted_sky.glsl"
@@ -28,6 +29,8 @@ layout(constant_id = 18) const int kCoat = 0;         // kCoat... of shading/mob
 layout(constant_id = 19) const int kSheen = 0;        // kSheen...
 layout(constant_id = 20) const int kAnisotropy = 0;   // kAnisotropy... of shading/mobile_microfacets.glsl
 layout(constant_id = 21) const int kIridescence = 0;  // kIridescence...
+layout(constant_id = 22) const int kTransmission = 0; // kTransmission... of shading/mobile_transmission.glsl
+layout(constant_id = 23) const int kDiffuseTransmission = 0; // kDiffuseTransmission...
 #include "gpu/shaders/baked.glsl"
 #include "gpu/shaders/local_light.glsl"
 #include "gpu/shaders/shadow_map.glsl"
@@ -167,6 +170,7 @@ void addLight(inout BasePass pass, int diffuseTerm, vec3 color, MobileDirectLigh
 #ifdef PARITY_LOBES
 #include "mobile/shaders/microfacets.glsl"
 #include "mobile/shaders/lobes.glsl"
+#include "mobile/shaders/transmission.glsl"
 #endif
 
 // What the lights read of one pixel.
@@ -174,6 +178,9 @@ struct Shaded {
 #ifdef PARITY_LOBES
   Layers layers;
   Microfacets microfacets;
+  Through through;
+  vec3 readDirection; // of the reflected environment
+  real readMip;
 #endif
   MobileMaterial GBuffer;
   MobileFrame frame;
@@ -221,6 +228,11 @@ Shaded makeShaded(Point p, Resolved r) {
   if (showsFilm() && hasFeature(kFeatureIridescence, p.material)) nonmetal = false;
 #endif
   s.context = initShadingModelContext(environmentBrdf, nonmetal, s.fullyRough, s.GBuffer, s.NoV);
+#ifdef PARITY_LOBES
+  s.through = makeThrough(r, s.context, s.GBuffer, s.fullyRough);
+  s.readDirection = vec3(s.frame.reflection);
+  s.readMip = R(0.0);
+#endif
   if (!kIsRefit || s.fullyRough) return s;
   s.widePart = s.context.lobe.multiple;
   if (!hasEnvironment()) return s;
@@ -291,6 +303,10 @@ void main() {
   if (hasEnvironment() && !s.fullyRough) addReflectedEnvironment(pass, s);
   if (localCount() != 0u) addLocalLights(pass, s, p);
   if (hasEnvironment()) addSkyLight(pass, s);
+#ifdef PARITY_LOBES
+  if (!s.fullyRough)
+    addThroughEnvironment(pass, s.through, r, p, s.frame, s.context.Roughness, s.readDirection, s.readMip, s.capture, s.MaterialAO);
+#endif
   real3 Emissive = narrow(r.emissive);
 #ifdef PARITY_LOBES
   layOver(pass, s.layers);

@@ -127,7 +127,7 @@ template <> struct Emptiness<std::vector<MaterialCard>> {
 
 template <> inline constexpr auto kRecord<DroppedLobe> = record<DroppedLobe>(
     "droppedLobe", "",
-    field("lobe", &DroppedLobe::lobe, "", {.oneOf = "clear coat|sheen|anisotropy|iridescence"}),
+    field("lobe", &DroppedLobe::lobe, "", {.oneOf = "clear coat|sheen|anisotropy|iridescence|transmission|diffuse transmission"}),
     field("flip", &DroppedLobe::flip,
           "Mean FLIP of the reference's picture without this lobe of the material against its picture with it",
           {.finite = true, .least = 0, .most = 1}));

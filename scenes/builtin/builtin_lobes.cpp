@@ -1,4 +1,4 @@
-// builtin:lobes: clear coats, sheens, anisotropy and thin films, one material a sphere.
+// builtin:lobes: clear coats, sheens, anisotropy, thin films and light that passes through, one material a sphere.
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +13,9 @@ namespace parity::scenes {
 namespace {
 
 constexpr int kLobeColumns = 6;
-constexpr float kLobeMiddleRow = 3; // of seven
+constexpr float kLobeMiddleRow = 5; // of eleven, of which one is empty
+constexpr int kRowsAboveTheGap = 8;
+constexpr float kLobeRadius = 0.46f;
 
 constexpr glm::vec3 kGold{1.00f, 0.77f, 0.34f}, kSteel{0.56f, 0.57f, 0.58f}, kTitanium{0.54f, 0.50f, 0.45f};
 
@@ -49,6 +51,31 @@ Material filmed(std::string name, bool isMetal, float roughness, float thickness
   return material;
 }
 
+// A pane, bent to a sphere: light passes its wall without refraction.
+Material thinGlass(std::string name, float roughness) {
+  Material material = plastic(std::move(name), {0.85f, 0.93f, 1.00f}, roughness);
+  material.transmission = 1;
+  return material;
+}
+
+// A ball of green glass.
+Material glassBall(std::string name, float roughness) {
+  Material material = plastic(std::move(name), glm::vec3(1.f), roughness);
+  material.transmission = 1;
+  material.thickness = 2 * kLobeRadius;
+  material.attenuationDistance = 1;
+  material.attenuationColor = {0.55f, 0.90f, 0.65f};
+  return material;
+}
+
+// Paper, leaf, lamp shade.
+Material translucent(std::string name, float share) {
+  Material material = plastic(std::move(name), {0.55f, 0.60f, 0.45f}, 0.6f);
+  material.diffuseTransmission = share;
+  material.diffuseTransmissionColor = {0.85f, 0.80f, 0.45f};
+  return material;
+}
+
 // Brushing in waves: its direction swings by 45 degrees to both sides of u, its strength goes from 0.4 to 1 along v.
 TextureImage makeWavyBrushing(std::string name) {
   return makeTexture(std::move(name), 128, [](float u, float v) {
@@ -80,13 +107,15 @@ TextureImage makeOrangePeel(std::string name) {
 // Rows from the top: a coat of roughness 0 to 1 by fifths over car paint; a smooth coat over gold of these roughnesses;
 // a red sheen and a white one of these; one sphere for each other thing that a coat or sheen can be or lie over;
 // brushed steel of these roughnesses but 1, where no direction is seen, and with a texture; films of 200 nm and more
-// over them, on plastic and on titanium in turn, and with a texture.
+// over them, on plastic and on titanium in turn, and with a texture; diffuse transmission of three strengths,
+// textures of both transmissions and a coat over one; and below a gap, since much light of their surroundings passes
+// them, balls of glass of these roughnesses, with one that disperses, and thin glass of them.
 Scene makeLobesScene() {
   SceneBuilder builder("lobes");
-  const Mesh sphere = makeSphere(0.46, 96, 48);
+  const Mesh sphere = makeSphere(kLobeRadius, 96, 48);
   int placed = 0;
   const auto add = [&](const Material& material) {
-    const int column = placed % kLobeColumns, row = placed / kLobeColumns;
+    const int column = placed % kLobeColumns, full = placed / kLobeColumns, row = full + (full >= kRowsAboveTheGap);
     builder.add(sphere, material,
                 glm::vec3(static_cast<float>(column) - 2.5f, kLobeMiddleRow - static_cast<float>(row), 0.f));
     ++placed;
@@ -151,6 +180,28 @@ Scene makeLobesScene() {
   oil.iridescenceThicknessMin = 200;
   oil.iridescenceThicknessTexture = builder.texture(makeRunFilm("run film"), 2);
   add(oil);
+
+  for (const float share : {0.25f, 0.5f, 1.f}) add(translucent(fmt::format("translucent {:.2f}", share), share));
+  Material leaf = translucent("translucent texture", 0.8f);
+  leaf.diffuseTransmissionColorTexture =
+      builder.texture(makeChecker("leaf checker", 8, {0.45f, 0.85f, 0.25f}, {0.95f, 0.90f, 0.60f}), 2);
+  add(leaf);
+  Material window = thinGlass("glass texture", 0.1f);
+  window.transmissionTexture = builder.texture(makeChecker("panes", 8, glm::vec3(1.f), glm::vec3(0.1f)), 2);
+  add(window);
+  Material coated = thinGlass("coat on glass", 0.5f);
+  coated.coat = 1;
+  add(coated);
+
+  for (int i = 0; i < kTextured; ++i) {
+    const float roughness = static_cast<float>(i) / 5.f;
+    add(glassBall(fmt::format("glass {:.1f}", roughness), roughness));
+  }
+  Material prism = glassBall("dispersion", 0);
+  prism.ior = 1.7f;
+  prism.dispersion = 2; // three times as much as of flint glass
+  add(prism);
+  addSteps([](float r) { return thinGlass(fmt::format("thin glass {:.1f}", r), r); });
 
   builder.setOrbitCamera(0, 90, 25);
   return builder.finish(makeStudio());

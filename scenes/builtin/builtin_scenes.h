@@ -42,7 +42,7 @@ Material plastic(std::string name, const glm::vec3& color, float roughness);
 Scene makeRoomScene();      // a closed room with a window, for baked light
 Scene makeCourtyardScene(); // a yard with columns and thin rods under a sun, for baked shadows
 Scene makeSpheresScene();   // roughness steps of a metal and a dielectric, and a row for each feature
-Scene makeLobesScene();     // coats, sheens, anisotropy and thin films over roughness, and single cases
+Scene makeLobesScene();     // coats, sheens, anisotropy, thin films and glass over roughness, and single cases
 Scene makeFurnaceScene();   // F0 = 1 spheres in a white environment, orthographic
 Scene makeLampsScene();     // a floor and objects under more lights than the mobile path takes
 Scene makeLightsScene();    // a field of spheres under 1,000 coloured lamps

@@ -219,6 +219,25 @@ private:
     addExtension(out, "KHR_materials_iridescence", std::move(film));
   }
 
+  void fillTransmission(tinygltf::Material& out, const Material& material) {
+    Value::Object transmission, diffuse, volume, dispersion;
+    addNumber(transmission, "transmissionFactor", material.transmission, 0);
+    addTexture(transmission, "transmissionTexture", material.transmissionTexture);
+    addExtension(out, "KHR_materials_transmission", std::move(transmission));
+    addNumber(diffuse, "diffuseTransmissionFactor", material.diffuseTransmission, 0);
+    addColor(diffuse, "diffuseTransmissionColorFactor", material.diffuseTransmissionColor, 1);
+    addTexture(diffuse, "diffuseTransmissionTexture", material.diffuseTransmissionTexture);
+    addTexture(diffuse, "diffuseTransmissionColorTexture", material.diffuseTransmissionColorTexture);
+    addExtension(out, "KHR_materials_diffuse_transmission", std::move(diffuse));
+    addNumber(volume, "thicknessFactor", material.thickness, 0);
+    addNumber(volume, "attenuationDistance", material.attenuationDistance, 0);
+    addColor(volume, "attenuationColor", material.attenuationColor, 1);
+    addTexture(volume, "thicknessTexture", material.thicknessTexture);
+    addExtension(out, "KHR_materials_volume", std::move(volume));
+    addNumber(dispersion, "dispersion", material.dispersion, 0);
+    addExtension(out, "KHR_materials_dispersion", std::move(dispersion));
+  }
+
   tinygltf::Material describe(const Material& material) {
     tinygltf::Material out;
     out.name = base::cleanUtf8(material.name);
@@ -246,6 +265,7 @@ private:
     fillSheen(out, material);
     fillAnisotropy(out, material);
     fillIridescence(out, material);
+    fillTransmission(out, material);
     if (material.fullyRough) out.extras = gltfObject({{"fullyRough", Value(true)}});
     return out;
   }

@@ -20,6 +20,10 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 // Beyond any film, and so that the path of light in one is a float of which a turn can be told.
 constexpr float kMostFilmIor = 10, kMostFilmNm = 1e6f;
+// Of an Abbe number of 1; that of rutile is 9.8.
+constexpr float kMostDispersion = 20;
+// Metres, beyond any body: its square is a float.
+constexpr float kMostLength = 1e18f;
 
 // Reads one material; its factors are clamped here, with a warning each.
 class MaterialReader {
@@ -110,6 +114,11 @@ private:
     if (const tinygltf::Value* value = extension("KHR_materials_sheen")) readSheen(*value);
     if (const tinygltf::Value* value = extension("KHR_materials_anisotropy")) readAnisotropy(*value);
     if (const tinygltf::Value* value = extension("KHR_materials_iridescence")) readIridescence(*value);
+    if (const tinygltf::Value* value = extension("KHR_materials_transmission")) readTransmission(*value);
+    if (const tinygltf::Value* value = extension("KHR_materials_diffuse_transmission")) readDiffuseTransmission(*value);
+    if (const tinygltf::Value* value = extension("KHR_materials_volume")) readVolume(*value);
+    if (const tinygltf::Value* value = extension("KHR_materials_dispersion"))
+      readNumber(*value, "dispersion", 0, kMostDispersion, m_material.dispersion);
     constexpr const char* kGlossiness = "KHR_materials_pbrSpecularGlossiness"; // goes before metallic-roughness
     if (const tinygltf::Value* value = extension(kGlossiness))
       readSpecularGlossiness(m_document, *value, fmt::format("{}/extensions/{}", m_place, kGlossiness), m_material,
@@ -183,6 +192,30 @@ private:
     readNumber(value, "iridescenceThicknessMaximum", 0, kMostFilmNm, m_material.iridescenceThicknessMax);
     readTexture(value, "iridescenceTexture", kName, m_material.iridescenceTexture);
     readTexture(value, "iridescenceThicknessTexture", kName, m_material.iridescenceThicknessTexture);
+  }
+
+  void readTransmission(const tinygltf::Value& value) {
+    readFactor(value, "transmissionFactor", m_material.transmission);
+    readTexture(value, "transmissionTexture", "KHR_materials_transmission", m_material.transmissionTexture);
+  }
+
+  void readDiffuseTransmission(const tinygltf::Value& value) {
+    constexpr const char* kName = "KHR_materials_diffuse_transmission";
+    readFactor(value, "diffuseTransmissionFactor", m_material.diffuseTransmission);
+    readColor(value, "diffuseTransmissionColorFactor", 1, m_material.diffuseTransmissionColor);
+    readTexture(value, "diffuseTransmissionTexture", kName, m_material.diffuseTransmissionTexture);
+    readTexture(value, "diffuseTransmissionColorTexture", kName, m_material.diffuseTransmissionColorTexture);
+  }
+
+  void readVolume(const tinygltf::Value& value) {
+    constexpr const char* kDistance = "attenuationDistance";
+    readNumber(value, "thicknessFactor", 0, kMostLength, m_material.thickness);
+    readNumber(value, kDistance, 0, kMostLength, m_material.attenuationDistance);
+    // Not allowed, and what stands for infinity here.
+    if (value.Has(kDistance) && static_cast<float>(value.Get(kDistance).GetNumberAsDouble()) == 0)
+      m_warnings.push_back(fmt::format("{}: {} of 0 is out of range, nothing is absorbed", m_place, kDistance));
+    readColor(value, "attenuationColor", 1, m_material.attenuationColor);
+    readTexture(value, "thicknessTexture", "KHR_materials_volume", m_material.thicknessTexture);
   }
 
   // A mesh has two uv sets; a material that reads others has them put in their place.
@@ -266,6 +299,11 @@ private:
     if (!m_material.hasIridescence()) m_material.iridescenceTexture = m_material.iridescenceThicknessTexture = {};
     if (m_material.iridescenceThicknessMin == m_material.iridescenceThicknessMax)
       m_material.iridescenceThicknessTexture = {};
+    if (!m_material.hasTransmission()) m_material.transmissionTexture = {};
+    if (!m_material.hasDiffuseTransmission())
+      m_material.diffuseTransmissionTexture = m_material.diffuseTransmissionColorTexture = {};
+    if (m_material.diffuseTransmissionColor == glm::vec3(0)) m_material.diffuseTransmissionColorTexture = {};
+    if (!m_material.hasVolume()) m_material.thicknessTexture = {};
     if (!m_material.unlit) return;
     for (const NamedSlot& each : kTextureSlots)
       if (each.slot != &Material::baseColorTexture) m_material.*each.slot = {};

@@ -113,11 +113,25 @@ scenes::Material randomMaterial(Dice& dice, StressScene& s) {
     m.iridescenceThicknessMin = dice.chance(4) ? 0 : dice.power(-4, 12);
     m.iridescenceThicknessMax = dice.chance(8) ? 0 : dice.power(-4, 12);
   }
+  if (dice.chance(4)) {
+    m.transmission = dice.factor();
+    m.thickness = dice.chance(2) ? 0 : dice.power(-12, 12);
+    m.attenuationColor = dice.color();
+    m.attenuationDistance = dice.chance(3) ? 0 : dice.power(-12, 12);
+    m.dispersion = dice.chance(2) ? 0 : dice.between(0, 20);
+  }
+  if (dice.chance(6)) {
+    m.diffuseTransmission = dice.factor();
+    m.diffuseTransmissionColor = dice.color();
+  }
   const auto isRead = [&](const scenes::NamedSlot& each) { // as the loader leaves them
     const std::string_view key = each.key;
     if (key.starts_with("clearcoat")) return m.hasCoat();
     if (key.starts_with("sheen")) return m.hasSheen();
     if (key.starts_with("anisotropy")) return m.hasAnisotropy();
+    if (key.starts_with("transmission")) return m.hasTransmission();
+    if (key.starts_with("diffuseTransmission")) return m.hasDiffuseTransmission();
+    if (key.starts_with("thickness")) return m.hasVolume();
     return !key.starts_with("iridescence") || m.hasIridescence();
   };
   for (const scenes::NamedSlot& each : scenes::kTextureSlots)

@@ -52,6 +52,8 @@ std::set<std::string> haves(const job::PreparedScene& prepared) {
     if (material.hasSheen()) all.insert("sheen");
     if (material.hasAnisotropy()) all.insert("anisotropy");
     if (material.hasIridescence()) all.insert("iridescence");
+    if (material.hasTransmission()) all.insert("transmission");
+    if (material.hasDiffuseTransmission()) all.insert("diffuse transmission");
   }
   return all;
 }

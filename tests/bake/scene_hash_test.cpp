@@ -65,6 +65,7 @@ TEST(SceneHash, MaterialsAreWhatReflectsEmitsAndCovers) {
        [](Lit& l) { l.scene.materials[0].doubleSided = true; },
        [](Lit& l) { l.scene.materials[0].alphaMode = scenes::AlphaMode::mask; },
        [](Lit& l) { l.scene.materials[0].alphaCutoff = 0.4f; }, [](Lit& l) { l.scene.materials[0].unlit = true; },
+       [](Lit& l) { l.scene.materials[0].transmission = 0.6f; }, // it no longer casts shadows
        [](Lit& l) { l.scene.materials[0].baseColorTexture.image = 1; },
        [](Lit& l) { l.scene.materials[0].baseColorTexture.texCoord = 1; },
        [](Lit& l) { l.scene.materials[1].emissiveTexture.image = 0; },
@@ -96,11 +97,12 @@ TEST(SceneHash, SkyIsItsRadianceAndHowItIsTurned) {
 
 TEST(SceneHash, NothingElseCounts) {
   expectChange(
-      "", {[](Lit&) {}, [](Lit& l) { l.scene.name = "another"; }, [](Lit& l) { l.scene.meshes[0].name = "another"; },
-           [](Lit& l) { l.scene.materials[0].name = "another"; }, [](Lit& l) { l.scene.instances[0].node = "another"; },
-           [](Lit& l) { l.lights.lights[0].name = "another"; }, [](Lit& l) { l.lights.lights[0].specularScale = 0.5f; },
-           [](Lit& l) { l.lights.environment->name = "another"; },
-           [](Lit& l) { l.scene.images[1].pixels.pixels[3] = 99; }});
+      "",
+      {[](Lit&) {}, [](Lit& l) { l.scene.name = "another"; }, [](Lit& l) { l.scene.meshes[0].name = "another"; },
+       [](Lit& l) { l.scene.materials[0].name = "another"; }, [](Lit& l) { l.scene.instances[0].node = "another"; },
+       [](Lit& l) { l.scene.materials[0].transmission = 0.4f; }, [](Lit& l) { l.lights.lights[0].name = "another"; },
+       [](Lit& l) { l.lights.lights[0].specularScale = 0.5f; }, [](Lit& l) { l.lights.environment->name = "another"; },
+       [](Lit& l) { l.scene.images[1].pixels.pixels[3] = 99; }});
 }
 
 TEST(SceneHash, AllThatHasChangedIsNamed) {

@@ -54,6 +54,8 @@ const std::vector<Probe> kProbes = {
     {{"--mobile-sheen", "fit"}, "lobes"},
     {{"--mobile-anisotropy", "bent"}, "lobes"},
     {{"--mobile-iridescence", "tint"}, "lobes"},
+    {{"--mobile-transmission", "refracted"}, "lobes"},
+    {{"--mobile-diffuse-transmission", "lambert"}, "lobes"},
     {{"--capture", "fp16"}},
     {{"--direct-lobe", "d-approx"}, "spheres", "mobile", kSun},
     {{"--no-mobile-local-lights"}, "lamps"},

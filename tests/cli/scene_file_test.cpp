@@ -9,11 +9,11 @@ namespace {
 
 using nlohmann::json;
 
-// Three materials, one of them shown; with a transmission that no path has.
+// Three materials, one of them shown; with subsurface scattering, which no path has.
 GltfFile makeThree() {
   GltfFile file = makeQuad();
-  file.material()["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}};
-  file.json["extensionsUsed"] = {"KHR_materials_transmission"};
+  file.material()["extensions"] = {{"KHR_materials_subsurface", json::object()}};
+  file.json["extensionsUsed"] = {"KHR_materials_subsurface"};
   file.json["materials"].push_back({{"name", "rubber"}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
   file.json["materials"].push_back({{"name", "<glow>"}, {"emissiveFactor", {1, 1, 1}}});
   return file;
@@ -25,15 +25,15 @@ TEST(Info, SaysWhatIsInAFile) {
   const RunResult text = runParity({"info", path});
   ASSERT_TRUE(exitedWith(0, text));
   EXPECT_TRUE(text.err.empty()) << text.err;
-  for (const char* part : {"2 triangles", "KHR_materials_transmission", "rubber", "nonmetal, not shown",
-                           "not modelled: transmission", "1 x 1 x 0 m"})
+  for (const char* part : {"2 triangles", "KHR_materials_subsurface", "rubber", "nonmetal, not shown",
+                           "not modelled: subsurface", "1 x 1 x 0 m"})
     EXPECT_TRUE(contains(text.out, part)) << part << " in:\n" << text.out;
 
   const json info = json::parse(runParity({"info", path, "--json", "-"}).out);
   EXPECT_EQ(info["triangles"], 2);
-  EXPECT_EQ(info["extensionsUsed"], json({"KHR_materials_transmission"}));
+  EXPECT_EQ(info["extensionsUsed"], json({"KHR_materials_subsurface"}));
   EXPECT_EQ(info["materials"].size(), 3u);
-  EXPECT_EQ(info["materials"][0]["notModelled"], json({"transmission"}));
+  EXPECT_EQ(info["materials"][0]["notModelled"], json({"subsurface"}));
   EXPECT_EQ(info["materials"][1]["flags"], json({"nonmetal", "not shown"}));
   EXPECT_EQ(info["bounds"]["upper"], json({1.0, 1.0, 0.0}));
   EXPECT_EQ(info["arrays"]["nodes"], 1);
@@ -93,6 +93,45 @@ TEST(Info, ShowsAnisotropyAndThinFilmsWithTheirValues) {
   EXPECT_EQ(materials[0]["iridescenceThickness"], json({100.0, 1250.0}));
   EXPECT_EQ(materials[2]["anisotropy"], 0.0);
   EXPECT_EQ(materials[2]["iridescence"], 0.0);
+}
+
+TEST(Info, ShowsLightThatPassesThroughWithItsValues) {
+  const TempFolder folder;
+  GltfFile file = makeThree();
+  file.json["images"] = {
+      {{"bufferView", file.addBufferView(makePng(8, 2))}, {"mimeType", "image/png"}, {"name", "depth"}}};
+  file.json["textures"] = {{{"source", 0}}};
+  file.material()["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 0.75}}},
+                                   {"KHR_materials_volume",
+                                    {{"thicknessFactor", 0.25},
+                                     {"thicknessTexture", {{"index", 0}}},
+                                     {"attenuationDistance", 0.5},
+                                     {"attenuationColor", {1, 0.5, 0.25}}}},
+                                   {"KHR_materials_ior", {{"ior", 1.25}}},
+                                   {"KHR_materials_dispersion", {{"dispersion", 0.375}}}};
+  file.json["materials"][1]["extensions"] = {
+      {"KHR_materials_diffuse_transmission",
+       {{"diffuseTransmissionFactor", 0.625}, {"diffuseTransmissionColorFactor", {0.25, 1, 0.5}}}},
+      {"KHR_materials_volume", {{"thicknessFactor", 2}}}};
+  const std::string path = writeGlb(folder, file);
+  const RunResult text = runParity({"info", path});
+  ASSERT_TRUE(exitedWith(0, text));
+  for (const char* part :
+       {"transmission 0.75, volume of thickness 0.25 and index 1.25, (1, 0.5, 0.25) over 0.5 m, dispersion 0.375",
+        "diffuse transmission 0.625 of (0.25, 1, 0.5), volume of thickness 2 and index 1.5", "thickness: depth (8x2)"})
+    EXPECT_TRUE(contains(text.out, part)) << part << " in:\n" << text.out;
+  EXPECT_FALSE(contains(text.out, "not modelled")) << text.out;
+  const json materials = json::parse(runParity({"info", path, "--json", "-"}).out)["materials"];
+  EXPECT_EQ(materials[0]["transmission"], 0.75);
+  EXPECT_EQ(materials[0]["ior"], 1.25);
+  EXPECT_EQ(materials[0]["thickness"], 0.25);
+  EXPECT_EQ(materials[0]["attenuationDistance"], 0.5);
+  EXPECT_EQ(materials[0]["attenuationColor"], json({1.0, 0.5, 0.25}));
+  EXPECT_EQ(materials[0]["dispersion"], 0.375);
+  EXPECT_EQ(materials[1]["diffuseTransmission"], 0.625);
+  EXPECT_EQ(materials[1]["diffuseTransmissionColor"], json({0.25, 1.0, 0.5}));
+  EXPECT_EQ(materials[2]["transmission"], 0.0);
+  EXPECT_EQ(materials[2]["attenuationDistance"], 0.0) << "infinite";
 }
 
 TEST(Info, ListsAllProblemsOfAFile) {
@@ -187,10 +226,9 @@ TEST_F(SceneFileTest, BallsShowEveryMaterialAndWhatIsNotModelledIsInTheReport) {
   EXPECT_EQ(notSeen(scene), 2);
   EXPECT_EQ(notSeen(balls), 0);
   for (const json& materials : {scene, balls}) {
-    EXPECT_EQ(materials[0]["notModelled"], json({"transmission"}));
+    EXPECT_EQ(materials[0]["notModelled"], json({"subsurface"}));
     EXPECT_EQ(materials[0]["verdict"], "warn") << "never a plain pass";
-    EXPECT_TRUE(contains(materials[0]["reason"], "base layer only: parity does not model transmission"))
-        << materials[0];
+    EXPECT_TRUE(contains(materials[0]["reason"], "base layer only: parity does not model subsurface")) << materials[0];
     for (const std::size_t plain : {1, 2}) EXPECT_EQ(materials[plain]["notModelled"], json::array());
   }
 }

@@ -56,7 +56,7 @@ namespace {
 GltfFile makeMaterials() {
   GltfFile file = makeTextured(makePng(3, 3), "image/png");
   use(file, {"KHR_texture_transform", "KHR_materials_specular", "KHR_materials_ior", "KHR_materials_emissive_strength",
-             "KHR_materials_unlit", "KHR_materials_transmission"});
+             "KHR_materials_unlit", "KHR_materials_subsurface"});
   const json transform = {
       {"KHR_texture_transform", {{"offset", {0.5, 0}}, {"rotation", 1}, {"scale", {2, -1}}, {"texCoord", 0}}}};
   file.json["materials"] = {{{"name", "a"},
@@ -79,7 +79,7 @@ GltfFile makeMaterials() {
                                  {"specularColorFactor", {1, 0.5, 0.25}},
                                  {"specularColorTexture", {{"index", 0}}}}},
                                {"KHR_materials_ior", {{"ior", 1.4}}},
-                               {"KHR_materials_transmission", {{"transmissionFactor", 1}}},
+                               {"KHR_materials_subsurface", {{"subsurfaceFactor", 1}}},
                                {"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}},
                             {{"name", "b"},
                              {"alphaMode", "BLEND"},
@@ -131,6 +131,31 @@ GltfFile makeFilm() {
                          {"iridescenceThicknessMinimum", 200},
                          {"iridescenceThicknessMaximum", 700},
                          {"iridescenceThicknessTexture", {{"index", 0}, {"texCoord", 1}}}}}}}};
+  return file;
+}
+
+// A body with all that light through it can have, and diffuse transmission.
+GltfFile makeThrough() {
+  GltfFile file = makeTextured(makePng(3, 3), "image/png");
+  use(file,
+      {"KHR_materials_transmission", "KHR_materials_volume", "KHR_materials_ior", "KHR_materials_dispersion",
+       "KHR_materials_diffuse_transmission"},
+      true);
+  file.material() = {
+      {"extensions",
+       {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}, {"transmissionTexture", {{"index", 0}}}}},
+        {"KHR_materials_volume",
+         {{"thicknessFactor", 0.5},
+          {"thicknessTexture", {{"index", 0}}},
+          {"attenuationDistance", 2},
+          {"attenuationColor", {0.5, 1, 0.25}}}},
+        {"KHR_materials_ior", {{"ior", 1.7}}},
+        {"KHR_materials_dispersion", {{"dispersion", 0.5}}},
+        {"KHR_materials_diffuse_transmission",
+         {{"diffuseTransmissionFactor", 0.25},
+          {"diffuseTransmissionTexture", {{"index", 0}}},
+          {"diffuseTransmissionColorFactor", {1, 0.5, 0.25}},
+          {"diffuseTransmissionColorTexture", {{"index", 0}}}}}}}};
   return file;
 }
 
@@ -234,6 +259,7 @@ std::map<std::string, Bytes> makeGltfSeeds() {
                                                  {"materials", makeMaterials()},
                                                  {"lobes", makeLobes()},
                                                  {"film", makeFilm()},
+                                                 {"through", makeThrough()},
                                                  {"specular-glossiness", makeSpecularGlossiness()},
                                                  {"variants", makeVariants()},
                                                  {"lights-cameras", makeLightsAndCameras()},

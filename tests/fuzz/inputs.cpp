@@ -62,14 +62,20 @@ std::string findFault(const scenes::Scene& scene) {
     for (const scenes::NamedSlot& each : scenes::kTextureSlots)
       if ((material.*each.slot).image >= static_cast<int>(scene.images.size())) return "a texture of no image";
   for (const scenes::Material& material : scene.materials) {
-    const glm::vec3 sheen = material.sheenColor;
+    const glm::vec3 sheen = material.sheenColor, through = material.diffuseTransmissionColor,
+                    kept = material.attenuationColor;
     for (const float factor : {material.coat, material.coatRoughness, material.sheenRoughness, sheen.x, sheen.y,
-                               sheen.z, material.anisotropy, material.iridescence})
+                               sheen.z, material.anisotropy, material.iridescence, material.transmission,
+                               material.diffuseTransmission, through.x, through.y, through.z, kept.x, kept.y, kept.z})
       if (!(factor >= 0 && factor <= 1)) return "a factor of a lobe out of range";
     if (!(std::abs(material.anisotropyRotation) <= 6.2831855f)) return "a rotation of many turns";
     if (!(material.iridescenceIor >= 1)) return "a film whose index is below 1";
     for (const float thickness : {material.iridescenceThicknessMin, material.iridescenceThicknessMax})
       if (!(thickness >= 0 && std::isfinite(thickness))) return "a film of no real thickness";
+    if (!(material.thickness >= 0 && std::isfinite(material.thickness))) return "a body of no real thickness";
+    if (!(material.attenuationDistance >= 0)) return "an attenuation over less than nothing";
+    if (!isFinite(material.absorption())) return "an absorption that is not finite";
+    if (!(material.dispersion >= 0 && material.dispersion <= 20)) return "a dispersion out of range";
   }
   for (const scenes::Material& material : scene.materials)
     if (!isUtf8(material.name)) return "a name that is not UTF-8";

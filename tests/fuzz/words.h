@@ -12,22 +12,27 @@ inline constexpr const char* kGltfValues[] = {
 
 inline constexpr const char* kGltfKeys[] = {
     "accessors", "alphaCutoff", "alphaMode", "animations", "anisotropyRotation", "anisotropyStrength", "anisotropyTexture",
-    "attributes", "baseColorTexture", "buffer", "bufferView",
+    "attenuationColor", "attenuationDistance", "attributes", "baseColorTexture", "buffer", "bufferView",
     "bufferViews", "byteLength", "byteOffset", "byteStride", "cameras", "channels", "children",
-    "clearcoatFactor", "clearcoatNormalTexture", "componentType", "count", "extensions", "extensionsUsed", "filter",
+    "clearcoatFactor", "clearcoatNormalTexture", "componentType", "count",
+    "diffuseTransmissionColorFactor", "diffuseTransmissionColorTexture", "diffuseTransmissionFactor",
+    "diffuseTransmissionTexture", "dispersion", "extensions", "extensionsUsed", "filter",
     "images", "indices", "input", "instances", "interpolation",
     "inverseBindMatrices", "iridescenceFactor", "iridescenceIor", "iridescenceTexture", "iridescenceThicknessMaximum",
     "iridescenceThicknessTexture", "joints", "light", "mappings", "material", "materials", "matrix", "max", "mesh", "meshes",
     "min", "minVersion", "mode", "node", "nodes", "normalized", "normalTexture", "output", "path", "primitives",
     "range", "rotation", "sampler", "samplers", "scale", "scene", "scenes",
-    "sheenColorFactor", "sheenColorTexture", "skeleton", "skin", "skins", "source", "sparse", "spot", "target", "targets", "texCoord", "textures", "translation", "type", "uri", "values",
+    "sheenColorFactor", "sheenColorTexture", "skeleton", "skin", "skins", "source", "sparse", "spot", "target", "targets", "texCoord", "textures",
+    "thicknessFactor", "thicknessTexture", "translation", "transmissionFactor", "transmissionTexture", "type", "uri", "values",
     "variants", "weights", "POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_9", "COLOR_0",
     "JOINTS_0", "JOINTS_1", "WEIGHTS_0", "WEIGHTS_1", "TRANSLATION", "ROTATION", "SCALE", "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression", "EXT_texture_webp", "KHR_draco_mesh_compression", "KHR_lights_punctual",
-    "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion", "KHR_materials_emissive_strength", "KHR_materials_ior",
     "KHR_materials_iridescence",
     "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen", "KHR_materials_specular",
-    "KHR_materials_unlit", "KHR_materials_variants", "KHR_mesh_quantization",
+    "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_variants", "KHR_materials_volume",
+    "KHR_mesh_quantization",
     "KHR_texture_basisu", "KHR_texture_transform"};
 
 inline constexpr const char* kEnvironmentWords[] = {

@@ -62,7 +62,7 @@ TEST(ShadowViews, AFloorWithNothingBelowItCastsNone) {
   EXPECT_EQ(castersOf(turned.scene, sun), (std::vector<std::uint32_t>{1}));
 }
 
-TEST(ShadowViews, WhatIsBlendedOrUnlitOrEmptyOrNotFiniteCastsNone) {
+TEST(ShadowViews, WhatIsBlendedUnlitMostlyTransmissiveEmptyOrNotFiniteCastsNone) {
   FloorAndBall f;
   f.scene.materials[1].alphaMode = scenes::AlphaMode::blend;
   EXPECT_TRUE(castersOf(f.scene, kSun).empty());
@@ -72,6 +72,11 @@ TEST(ShadowViews, WhatIsBlendedOrUnlitOrEmptyOrNotFiniteCastsNone) {
   FloorAndBall sign;
   sign.scene.materials[1].unlit = true;
   EXPECT_TRUE(castersOf(sign.scene, kSun).empty());
+  FloorAndBall glass;
+  glass.scene.materials[1].transmission = 0.5f;
+  EXPECT_EQ(castersOf(glass.scene, kSun), (std::vector<std::uint32_t>{1}));
+  glass.scene.materials[1].transmission = 0.6f;
+  EXPECT_TRUE(castersOf(glass.scene, kSun).empty());
   FloorAndBall g;
   g.scene.meshes[1].indices.clear();
   EXPECT_TRUE(castersOf(g.scene, kSun).empty());

@@ -168,7 +168,7 @@ TEST(MaterialCards, SayWhatIsNotTheDefault) {
   m.alphaMode = scenes::AlphaMode::blend;
   m.baseColor.w = 0.3f;
   m.unlit = m.fullyRough = true;
-  m.notModelled = {"transmission"};
+  m.notModelled = {"subsurface"};
   scenes::Mesh& mesh = scene.meshes.emplace_back();
   mesh.colors = {glm::vec4(1)};
   const MaterialCard card = describeMaterials(scene, {}, true).cards.at(0);
@@ -180,7 +180,7 @@ TEST(MaterialCards, SayWhatIsNotTheDefault) {
   EXPECT_TRUE(card.unlit && card.fullyRough && card.vertexColors);
   EXPECT_FALSE(card.nonmetal);
   EXPECT_NEAR(card.f0.at(1), 0.01, 1e-7);
-  EXPECT_EQ(card.notModelled, std::vector<std::string>{"transmission"});
+  EXPECT_EQ(card.notModelled, std::vector<std::string>{"subsurface"});
 }
 
 TEST(MaterialCards, SayCoatAndSheenWithTheirTextures) {
@@ -216,6 +216,57 @@ TEST(MaterialCards, SayCoatAndSheenWithTheirTextures) {
   scene.materials[0].unlit = true;
   EXPECT_EQ(namesOf(describeMaterials(scene, {}, true).cards.at(0)),
             (std::vector<std::string>{"baseColor", "metallic", "roughness"}));
+}
+
+TEST(MaterialCards, SayLightThatPassesThroughWithItsTextures) {
+  scenes::Scene scene;
+  const int texels = addImage(scene, "texels", {51, 102, 0, 255}, {255, 204, 255, 51});
+  scenes::Material& m = addMaterial(scene, "stained glass");
+  const auto names = [&] { return namesOf(describeMaterials(scene, {}, false).cards.at(0)); };
+  const std::vector<std::string> plain = {"baseColor", "metallic", "roughness"};
+  m.thickness = 0.5f;
+  m.dispersion = 2;
+  EXPECT_EQ(names(), plain) << "nothing enters the body";
+  m.transmission = 0.75f;
+  m.thickness = 0;
+  EXPECT_EQ(names(), (std::vector<std::string>{"baseColor", "metallic", "roughness", "transmission"})) << "a thin wall";
+  m.thickness = 0.5f;
+  m.dispersion = 0;
+  EXPECT_EQ(names(),
+            (std::vector<std::string>{"baseColor", "metallic", "roughness", "transmission", "ior", "thickness"}));
+  m.ior = 1.25f;
+  m.dispersion = 2;
+  m.attenuationDistance = 0.125f;
+  m.attenuationColor = {0.5f, 0.25f, 1};
+  m.diffuseTransmission = 0.25f;
+  m.diffuseTransmissionColor = {1, 0.5f, 0.25f};
+  m.transmissionTexture.image = m.thicknessTexture.image = m.diffuseTransmissionTexture.image =
+      m.diffuseTransmissionColorTexture.image = texels;
+  const MaterialCards made = describeMaterials(scene, {}, true);
+  const MaterialCard& card = made.cards.at(0);
+  EXPECT_EQ(namesOf(card),
+            (std::vector<std::string>{"baseColor", "metallic", "roughness", "transmission", "diffuseTransmission",
+                                      "diffuseTransmissionColor", "ior", "thickness", "attenuationColor",
+                                      "attenuationDistance", "dispersion"}));
+  EXPECT_EQ(find(card, "transmission")->value, std::vector<double>{0.75});
+  EXPECT_EQ(find(card, "transmission")->texture->channels, "r");
+  EXPECT_DOUBLE_EQ(find(card, "transmission")->texture->least.at(0), 0.75 * 0.2);
+  EXPECT_EQ(find(card, "diffuseTransmission")->value, std::vector<double>{0.25});
+  EXPECT_EQ(find(card, "diffuseTransmission")->texture->channels, "a");
+  EXPECT_DOUBLE_EQ(find(card, "diffuseTransmission")->texture->least.at(0), 0.25 * 0.2);
+  EXPECT_EQ(find(card, "diffuseTransmissionColor")->value, (std::vector<double>{1, 0.5, 0.25}));
+  EXPECT_EQ(find(card, "diffuseTransmissionColor")->texture->channels, "rgb");
+  EXPECT_DOUBLE_EQ(find(card, "diffuseTransmissionColor")->texture->least.at(0), linearOf(0.2)) << "sRGB";
+  EXPECT_EQ(find(card, "ior")->value, std::vector<double>{1.25});
+  EXPECT_FALSE(find(card, "ior")->texture);
+  EXPECT_EQ(find(card, "thickness")->texture->channels, "g");
+  EXPECT_DOUBLE_EQ(find(card, "thickness")->texture->most.at(0), 0.5 * 0.8);
+  EXPECT_EQ(find(card, "attenuationColor")->value, (std::vector<double>{0.5, 0.25, 1}));
+  EXPECT_EQ(find(card, "attenuationDistance")->value, std::vector<double>{0.125});
+  EXPECT_EQ(find(card, "dispersion")->value, std::vector<double>{2});
+  EXPECT_EQ(made.pictures.size(), 4u) << "one of each choice of channels";
+  m.unlit = true;
+  EXPECT_EQ(names(), plain);
 }
 
 TEST(MaterialCards, SayAnisotropyAndThinFilmsWithTheirTextures) {

@@ -207,7 +207,7 @@ TEST(Visibility, ConvexSurfacesDoNotShadowThemselvesAtGrazingLight) {
     }
 }
 
-TEST(Visibility, BothSidesOccludeAndBlendedAndUnlitMaterialsDoNot) {
+TEST(Visibility, BothSidesOccludeAndBlendedUnlitAndMostlyTransmissiveMaterialsDoNot) {
   scenes::Scene scene = makeScene(tests::makeQuad(0));
   scene.materials[0].doubleSided = false;
   for (const double side : {1.0, -1.0}) EXPECT_TRUE(Visibility(scene).isOccluded({0.2, 0.1, side}, {0, 0, -side}));
@@ -216,6 +216,11 @@ TEST(Visibility, BothSidesOccludeAndBlendedAndUnlitMaterialsDoNot) {
   scene.materials[0].alphaMode = scenes::AlphaMode::opaque;
   scene.materials[0].unlit = true;
   EXPECT_FALSE(Visibility(scene).isOccluded({0.2, 0.1, 1}, {0, 0, -1}));
+  scene.materials[0].unlit = false;
+  for (const float transmission : {0.5f, 0.51f, 1.f}) {
+    scene.materials[0].transmission = transmission;
+    EXPECT_EQ(Visibility(scene).isOccluded({0.2, 0.1, 1}, {0, 0, -1}), transmission == 0.5f) << transmission;
+  }
 }
 
 TEST(Visibility, NothingAndTrianglesOfNoUseOccludeNothing) {
@@ -269,6 +274,7 @@ TEST(Visibility, HashCoversWhatDecidesAndNothingElse) {
   };
   EXPECT_EQ(hashWith([](scenes::Scene& s) { s.materials[0].roughness = 0.3f; }), original);
   EXPECT_EQ(hashWith([](scenes::Scene& s) { s.materials[0].name = "other"; }), original);
+  EXPECT_EQ(hashWith([](scenes::Scene& s) { s.materials[0].transmission = 0.4f; }), original) << "it still casts";
   const std::function<void(scenes::Scene&)> changes[] = {
       [](scenes::Scene& s) { s.instances[0].toWorld[3].x = 1; },
       [](scenes::Scene& s) { s.instances.push_back(s.instances[0]); },
@@ -279,6 +285,7 @@ TEST(Visibility, HashCoversWhatDecidesAndNothingElse) {
       [](scenes::Scene& s) { s.materials[0].alphaMode = scenes::AlphaMode::opaque; },
       [](scenes::Scene& s) { s.materials[0].alphaMode = scenes::AlphaMode::blend; },
       [](scenes::Scene& s) { s.materials[0].unlit = true; },
+      [](scenes::Scene& s) { s.materials[0].transmission = 0.6f; },
       [](scenes::Scene& s) { s.materials[0].alphaCutoff = 0.4f; },
       [](scenes::Scene& s) { s.materials[0].baseColor.a = 0.4f; },
       [](scenes::Scene& s) { s.materials[0].baseColorTexture.image = -1; },

@@ -62,7 +62,7 @@ protected:
     const lighting::Visibility visibility(scene);
     const Lobes lobes(sample, tests::plainModel(), sample.roughness, nullptr);
     const IntegralOptions options{.relativeError = 0, .minSamples = 1 << 15, .maxSamples = 1 << 15, .seed = 0};
-    return integrateEnvironment(sample, lobes, white(), glm::dvec3(0), options, &visibility);
+    return integrateEnvironment(sample, lobes, white(), glm::dvec3(0), options, PointVisibility(&visibility, sample));
   }
   static const EnvironmentSampler& white() {
     static const EnvironmentSampler sampler(tests::makeWhitePanorama());
@@ -159,7 +159,7 @@ WithAndWithout integrateBoth(const scenes::Scene& scene, const SurfaceSample& sa
   const lighting::Visibility visibility(scene);
   const Lobes lobes(sample, tests::plainModel(), sample.roughness, nullptr);
   const IntegralOptions options{.relativeError = 0, .minSamples = 1 << 14, .maxSamples = 1 << 14, .seed = 0};
-  return {integrateEnvironment(sample, lobes, sky, glm::dvec3(0), options, &visibility),
+  return {integrateEnvironment(sample, lobes, sky, glm::dvec3(0), options, PointVisibility(&visibility, sample)),
           integrateEnvironment(sample, lobes, sky, glm::dvec3(0), options)};
 }
 

@@ -119,7 +119,7 @@ Report makeSampleReport(const std::vector<std::string>& names) {
   lamp.conditions = {{"environment", "0f3a", compare::ActsOn::figures, "studio_small_05_1k.hdr (content 0f3a)"},
                      {"environment rotation", "0"}};
   lamp.inputs = {"52c1f0a9b3de", "0f3a77c2e81b", "9d04be6617aa", ""};
-  lamp.warnings = {"KHR_materials_transmission is not supported: drawn opaque"};
+  lamp.warnings = {"KHR_materials_subsurface is not supported: drawn opaque"};
   ViewResult front;
   front.name = "front";
   front.width = front.height = 1024;

@@ -15,21 +15,25 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, 20> kSupported = {"EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 24> kSupported = {"EXT_mesh_gpu_instancing",
                                                          "EXT_meshopt_compression",
                                                          "EXT_texture_webp",
                                                          "KHR_draco_mesh_compression",
                                                          "KHR_lights_punctual",
                                                          "KHR_materials_anisotropy",
                                                          "KHR_materials_clearcoat",
+                                                         "KHR_materials_diffuse_transmission",
+                                                         "KHR_materials_dispersion",
                                                          "KHR_materials_emissive_strength",
                                                          "KHR_materials_ior",
                                                          "KHR_materials_iridescence",
                                                          "KHR_materials_pbrSpecularGlossiness",
                                                          "KHR_materials_sheen",
                                                          "KHR_materials_specular",
+                                                         "KHR_materials_transmission",
                                                          "KHR_materials_unlit",
                                                          "KHR_materials_variants",
+                                                         "KHR_materials_volume",
                                                          "KHR_mesh_quantization",
                                                          "KHR_texture_basisu",
                                                          "KHR_texture_transform",
@@ -39,12 +43,8 @@ constexpr std::array<std::string_view, 20> kSupported = {"EXT_mesh_gpu_instancin
 struct NotModelled {
   std::string_view extension, name;
 };
-constexpr std::array<NotModelled, 6> kNotModelled = {{{"KHR_materials_diffuse_transmission", "diffuse transmission"},
-                                                      {"KHR_materials_dispersion", "dispersion"},
-                                                      {"KHR_materials_subsurface", "subsurface"},
-                                                      {"KHR_materials_transmission", "transmission"},
-                                                      {"KHR_materials_volume", "volume"},
-                                                      {"KHR_materials_volume_scatter", "volume scatter"}}};
+constexpr std::array<NotModelled, 2> kNotModelled = {
+    {{"KHR_materials_subsurface", "subsurface"}, {"KHR_materials_volume_scatter", "volume scatter"}}};
 
 // The names in a list that we do not read, each once, in order.
 std::vector<std::string> listUnknown(const Json& document, const char* key) {

@@ -78,6 +78,13 @@ constexpr Rule kIridescence[] = {number("iridescenceFactor"),
                                  number("iridescenceThicknessMinimum"),
                                  number("iridescenceThicknessMaximum"),
                                  object("iridescenceThicknessTexture", kTextureInfo)};
+constexpr Rule kTransmission[] = {number("transmissionFactor"), object("transmissionTexture", kTextureInfo)};
+constexpr Rule kDiffuseTransmission[] = {
+    number("diffuseTransmissionFactor"), object("diffuseTransmissionTexture", kTextureInfo),
+    numbers("diffuseTransmissionColorFactor", 3), object("diffuseTransmissionColorTexture", kTextureInfo)};
+constexpr Rule kVolume[] = {number("thicknessFactor"), object("thicknessTexture", kTextureInfo),
+                            number("attenuationDistance"), numbers("attenuationColor", 3)};
+constexpr Rule kDispersion[] = {number("dispersion")};
 constexpr Rule kSpecularGlossiness[] = {numbers("diffuseFactor", 4), object("diffuseTexture", kTextureInfo),
                                         numbers("specularFactor", 3), number("glossinessFactor"),
                                         object("specularGlossinessTexture", kTextureInfo)};
@@ -89,6 +96,10 @@ constexpr Rule kMaterialExtensions[] = {object("KHR_materials_specular", kSpecul
                                         object("KHR_materials_sheen", kSheen),
                                         object("KHR_materials_anisotropy", kAnisotropy),
                                         object("KHR_materials_iridescence", kIridescence),
+                                        object("KHR_materials_transmission", kTransmission),
+                                        object("KHR_materials_diffuse_transmission", kDiffuseTransmission),
+                                        object("KHR_materials_volume", kVolume),
+                                        object("KHR_materials_dispersion", kDispersion),
                                         object("KHR_materials_emissive_strength", kEmissiveStrength),
                                         object("KHR_materials_unlit", {}),
                                         object("KHR_materials_pbrSpecularGlossiness", kSpecularGlossiness)};

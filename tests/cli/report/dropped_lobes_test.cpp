@@ -53,7 +53,14 @@ TEST_F(DroppedLobesTest, AreMeasuredForTheMaterialsThatHaveThem) {
   ASSERT_EQ(film.size(), 1u);
   EXPECT_EQ(film[0]["lobe"], "iridescence");
   EXPECT_GT(film[0]["flip"], 0.05);
-  EXPECT_EQ(passOf(scene, "dropped lobes")["count"], 4);
+  const json glass = lobesOf(scene, "glass 0.2"), leaf = lobesOf(scene, "translucent 1.00");
+  ASSERT_EQ(glass.size(), 1u);
+  EXPECT_EQ(glass[0]["lobe"], "transmission");
+  EXPECT_GT(glass[0]["flip"], 0.3) << "porcelain in place of glass";
+  ASSERT_EQ(leaf.size(), 1u);
+  EXPECT_EQ(leaf[0]["lobe"], "diffuse transmission");
+  EXPECT_GT(leaf[0]["flip"], 0.05);
+  EXPECT_EQ(passOf(scene, "dropped lobes")["count"], 6);
   EXPECT_TRUE(contains(m_text, "mobile drops the clear coat (FLIP ")) << m_text;
 }
 
@@ -61,7 +68,8 @@ TEST_F(DroppedLobesTest, AreNoneWhereThePresetHasTheLobe) {
   const json scene = report({"--mobile-preset", "ue4-2020"});
   EXPECT_EQ(lobesOf(scene, "coat 0.0").size(), 0u) << "the engine has a coat";
   EXPECT_EQ(lobesOf(scene, "sheen 1.0").size(), 1u) << "and no sheen";
-  EXPECT_EQ(passOf(scene, "dropped lobes")["count"], 3);
+  EXPECT_EQ(lobesOf(scene, "glass 0.2").size(), 0u) << "glass is blended";
+  EXPECT_EQ(passOf(scene, "dropped lobes")["count"], 4);
 }
 
 TEST_F(DroppedLobesTest, AreNotMeasuredWhereTheRunAsksForNone) {

@@ -119,6 +119,13 @@ void expectSameMaterials(const Scene& a, const Scene& b) {
     EXPECT_EQ(m.iridescenceIor, n.iridescenceIor) << m.name;
     EXPECT_EQ(m.iridescenceThicknessMin, n.iridescenceThicknessMin) << m.name;
     EXPECT_EQ(m.iridescenceThicknessMax, n.iridescenceThicknessMax) << m.name;
+    EXPECT_EQ(m.transmission, n.transmission) << m.name;
+    EXPECT_EQ(m.thickness, n.thickness) << m.name;
+    EXPECT_EQ(m.attenuationDistance, n.attenuationDistance) << m.name;
+    EXPECT_EQ(m.attenuationColor, n.attenuationColor) << m.name;
+    EXPECT_EQ(m.dispersion, n.dispersion) << m.name;
+    EXPECT_EQ(m.diffuseTransmission, n.diffuseTransmission) << m.name;
+    EXPECT_EQ(m.diffuseTransmissionColor, n.diffuseTransmissionColor) << m.name;
     if (m.coatNormalTexture.present()) {
       EXPECT_EQ(m.coatNormalScale, n.coatNormalScale) << m.name;
     }
@@ -276,6 +283,18 @@ Scene makeEverything() {
   m.iridescenceTexture = makeSlot(0, scenes::uvTransform({0, 0}, 2, {3, 1}));
   m.iridescenceThicknessTexture = makeSlot(1);
   m.anisotropyTexture.texCoord = m.iridescenceThicknessTexture.texCoord = 1;
+  m.transmission = 0.55f;
+  m.thickness = 0.012f;
+  m.attenuationDistance = 0.3f;
+  m.attenuationColor = {0.7f, 0.2f, 0.9f};
+  m.dispersion = 0.31f;
+  m.diffuseTransmission = 0.45f;
+  m.diffuseTransmissionColor = {0.3f, 0.9f, 0.2f};
+  m.transmissionTexture = makeSlot(1, scenes::uvTransform({0.5, 0.1}, 0, {2, 1}));
+  m.thicknessTexture = makeSlot(2);
+  m.diffuseTransmissionTexture = makeSlot(0);
+  m.diffuseTransmissionColorTexture = makeSlot(0, scenes::uvTransform({0, 0}, 1, {2, 2}));
+  m.thicknessTexture.texCoord = 1;
   using scenes::Filter, scenes::Wrap;
   m.baseColorTexture.sampler = {Wrap::mirroredRepeat, Wrap::clampToEdge, Filter::nearest,
                                 Filter::linear,       Filter::nearest,   true};
@@ -350,17 +369,21 @@ TEST(ExportGlb, WritesWhatTheSpecificationAsksFor) {
   EXPECT_EQ(position["max"], json({1.1f, 1.3f, 0.f}));
   EXPECT_EQ(position["min"], json({0.f, 0.f, -0.7f}));
   for (const json& view : file["bufferViews"]) EXPECT_EQ(view.value("byteOffset", 0) % 4, 0);
-  const json used = {
-      "KHR_lights_punctual", "KHR_materials_anisotropy",  "KHR_materials_clearcoat", "KHR_materials_emissive_strength",
-      "KHR_materials_ior",   "KHR_materials_iridescence", "KHR_materials_sheen",     "KHR_materials_specular",
-      "KHR_materials_unlit", "KHR_texture_transform"};
+  const json used = {"KHR_lights_punctual",        "KHR_materials_anisotropy",
+                     "KHR_materials_clearcoat",    "KHR_materials_diffuse_transmission",
+                     "KHR_materials_dispersion",   "KHR_materials_emissive_strength",
+                     "KHR_materials_ior",          "KHR_materials_iridescence",
+                     "KHR_materials_sheen",        "KHR_materials_specular",
+                     "KHR_materials_transmission", "KHR_materials_unlit",
+                     "KHR_materials_volume",       "KHR_texture_transform"};
   EXPECT_EQ(file["extensionsUsed"], used);
   for (const json& light : file["extensions"]["KHR_lights_punctual"]["lights"])
     for (const json& channel : light["color"]) EXPECT_LE(channel, 1.0);
   EXPECT_FALSE(file["cameras"][0]["perspective"].contains("zfar")) << "an infinite one has none";
   for (const json& material : file["materials"])
     for (const json& channel : material.value("emissiveFactor", json::array())) EXPECT_LE(channel, 1.0);
-  for (const char* lobe : {"clearcoat", "sheen", "anisotropy", "iridescence"})
+  for (const char* lobe : {"clearcoat", "sheen", "anisotropy", "iridescence", "transmission", "volume", "dispersion",
+                           "diffuse_transmission"})
     EXPECT_FALSE(file["materials"][1]["extensions"].contains(std::string("KHR_materials_") + lobe)) << "it has none";
   EXPECT_EQ(file["images"].size(), 3u);
   EXPECT_EQ(file["images"][0]["mimeType"], "image/png");

@@ -111,19 +111,19 @@ TEST(GltfMaterial, SaysOncePerMaterialWhatIsNotModelled) {
   const Scene scene = loadWithMaterial({{"name", "paint"},
                                         {"alphaMode", "BLEND"},
                                         {"extensions",
-                                         {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
-                                          {"KHR_materials_volume", json::object()},
+                                         {{"KHR_materials_subsurface", json::object()},
+                                          {"KHR_materials_volume_scatter", json::object()},
                                           {"ACME_glow", json::object()}}}});
   EXPECT_EQ(scene.materials[0].alphaMode, AlphaMode::blend);
-  EXPECT_EQ(scene.materials[0].notModelled, (std::vector<std::string>{"transmission", "volume"}));
+  EXPECT_EQ(scene.materials[0].notModelled, (std::vector<std::string>{"subsurface", "volume scatter"}));
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_EQ(scene.warnings[0], "material 'paint': not modelled: transmission, volume");
+  EXPECT_EQ(scene.warnings[0], "material 'paint': not modelled: subsurface, volume scatter");
 }
 
 TEST(GltfMaterial, ListsUnsupportedExtensionsOnce) {
   GltfFile file = makeQuad();
-  file.json["extensionsUsed"] = {"ACME_y", "KHR_materials_ior", "KHR_materials_transmission", "ACME_y", "ACME_x"};
-  file.json["extensionsRequired"] = {"KHR_materials_transmission"}; // known not to be modelled: the base layer is shown
+  file.json["extensionsUsed"] = {"ACME_y", "KHR_materials_ior", "KHR_materials_subsurface", "ACME_y", "ACME_x"};
+  file.json["extensionsRequired"] = {"KHR_materials_subsurface"}; // known not to be modelled: the base layer is shown
   const Scene scene = loadQuadlike(file);
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_EQ(scene.warnings[0], "extensions that are not supported are ignored: ACME_y, ACME_x");

@@ -134,5 +134,24 @@ TEST_F(StressRenders, RandomScenesHaveAnisotropyAndThinFilmsWithTextures) {
   EXPECT_GT(textures, 3u);
 }
 
+TEST_F(StressRenders, RandomScenesHaveThinWallsBodiesAndDiffuseTransmissionWithTextures) {
+  std::size_t walls = 0, bodies = 0, absorbing = 0, dispersing = 0, diffuse = 0, textures = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed)
+    for (const scenes::Material& m : randomScene(seed).scene.materials) {
+      walls += m.hasTransmission() && !m.hasVolume();
+      bodies += m.hasTransmission() && m.hasVolume();
+      absorbing += m.hasVolume() && m.absorption() != glm::vec3(0);
+      dispersing += m.hasVolume() && m.dispersion > 0;
+      diffuse += m.hasDiffuseTransmission();
+      const bool isDiffuseRead = m.diffuseTransmissionTexture.present() || m.diffuseTransmissionColorTexture.present();
+      textures += m.transmissionTexture.present() || m.thicknessTexture.present() || isDiffuseRead;
+      EXPECT_TRUE(!m.transmissionTexture.present() || m.hasTransmission()) << "as the loader leaves it";
+      EXPECT_TRUE(!m.thicknessTexture.present() || m.hasVolume()) << "as the loader leaves it";
+      EXPECT_TRUE(!isDiffuseRead || m.hasDiffuseTransmission()) << "as the loader leaves it";
+    }
+  for (const std::size_t count : {walls, bodies, absorbing, dispersing, diffuse}) EXPECT_GT(count, 3u);
+  EXPECT_GT(textures, 3u);
+}
+
 } // namespace
 } // namespace parity::tests

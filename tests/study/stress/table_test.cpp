@@ -61,7 +61,7 @@ TEST(StressTable, EvaluatesEveryPublicFunctionOfTheSources) {
   // third, tests/shading/lamps_test.cpp and tests/highend/reflection_test.cpp the others of prefiltering, of the
   // high-end path alone. tests/shading/mobile_lobes_test.cpp and sheen_test.cpp ask those of coat and sheen over their
   // whole domain, in half, too; anisotropic_brdf_test.cpp, thin_film_test.cpp and
-  // mobile_microfacets_test.cpp there those of anisotropy and films.
+  // mobile_microfacets_test.cpp there those of anisotropy and films, refraction_test.cpp those of bodies.
   const std::set<std::string> elsewhere = {"prefilterBlend",
                                            "finePrefilterBlend",
                                            "sharpLobe",
@@ -90,7 +90,19 @@ TEST(StressTable, EvaluatesEveryPublicFunctionOfTheSources) {
                                            "squeezedRefitLight",
                                            "squeezedCalcSpecular",
                                            "filmTint",
-                                           "underFilm"};
+                                           "underFilm",
+                                           "throughSphere",
+                                           "leavingBody",
+                                           "refracted",
+                                           "meanVisibleNormal",
+                                           "reflectedWithin",
+                                           "turnOfRefraction2",
+                                           "leavingLater",
+                                           "transmittance",
+                                           "dispersedIors",
+                                           "alphaOfRefraction",
+                                           "mobileRefractedRoughness",
+                                           "mobileSceneShare"};
   for (const std::string& name : names) {
     if (elsewhere.count(name)) continue;
     EXPECT_TRUE(callsOf(text, name) > 0 || callsOf(sources, name) > 1) << name << " is evaluated nowhere";

@@ -22,10 +22,22 @@ const kTitles: Record<CardInput["name"], string> = {
   iridescence: "Iridescence",
   iridescenceIor: "Thin film index of refraction",
   iridescenceThickness: "Thin film thickness",
+  transmission: "Transmission",
+  diffuseTransmission: "Diffuse transmission",
+  diffuseTransmissionColor: "Diffuse transmission colour",
+  ior: "Index of refraction",
+  thickness: "Thickness",
+  attenuationColor: "Attenuation colour",
+  attenuationDistance: "Attenuation distance",
+  dispersion: "Dispersion",
 };
-const kUnits: Partial<Record<CardInput["name"], string>> = { anisotropyRotation: " rad", iridescenceThickness: " nm" };
+const kUnits: Partial<Record<CardInput["name"], string>> = {
+  anisotropyRotation: " rad",
+  iridescenceThickness: " nm",
+  attenuationDistance: " m",
+};
 const kDefaultF0 = 0.04;
-const kColors: readonly CardInput["name"][] = ["baseColor", "emissive", "specularColor", "sheenColor"];
+const kColors: readonly CardInput["name"][] = ["baseColor", "emissive", "specularColor", "sheenColor", "diffuseTransmissionColor", "attenuationColor"];
 
 /** The card of a material, by its name. */
 export function cardOf(scene: Scene, name: string): MaterialCard | null {

@@ -216,7 +216,7 @@ export function checkOf(row: Row, metric: string): Limit | null {
   return row.limits.find((check) => check.metric === metric) ?? null;
 }
 
-/** "base layer only: parity does not model transmission, volume"; "" where all is modelled. */
+/** "base layer only: parity does not model subsurface"; "" where all is modelled. */
 export function baseLayerText(notModelled: readonly string[]): string {
   return notModelled.length === 0 ? "" : `base layer only: parity does not model ${notModelled.join(", ")}`;
 }

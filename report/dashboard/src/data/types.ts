@@ -16,6 +16,7 @@ export const kTermWords: Readonly<Record<string, string>> = {
   fog: "light of the fog",
   coatSpecular: "reflections and highlights of the clear coat",
   sheen: "light of the sheen",
+  transmission: "light through the surface",
 };
 
 /** Visible difference of two shading paths, per material. Equal inputs give a byte-identical file; times and dates are in run.json. null in place of a number means infinite (psnr of identical images) or not a number (then the verdict is 'error'). */
@@ -156,7 +157,7 @@ export interface MaterialCard {
 }
 
 export interface CardInput {
-  name: "baseColor" | "opacity" | "metallic" | "roughness" | "normal" | "occlusion" | "emissive" | "specular" | "specularColor" | "coat" | "coatRoughness" | "coatNormal" | "sheenColor" | "sheenRoughness" | "anisotropy" | "anisotropyRotation" | "iridescence" | "iridescenceIor" | "iridescenceThickness";
+  name: "baseColor" | "opacity" | "metallic" | "roughness" | "normal" | "occlusion" | "emissive" | "specular" | "specularColor" | "coat" | "coatRoughness" | "coatNormal" | "sheenColor" | "sheenRoughness" | "anisotropy" | "anisotropyRotation" | "iridescence" | "iridescenceIor" | "iridescenceThickness" | "transmission" | "diffuseTransmission" | "diffuseTransmissionColor" | "ior" | "thickness" | "attenuationColor" | "attenuationDistance" | "dispersion";
   value: number[]; // Linear colour or number; the factor if there is a texture
   texture?: CardTexture; // absent: none
 }
@@ -358,7 +359,7 @@ export interface Images {
 }
 
 export interface DroppedLobe {
-  lobe: "clear coat" | "sheen" | "anisotropy" | "iridescence";
+  lobe: "clear coat" | "sheen" | "anisotropy" | "iridescence" | "transmission" | "diffuse transmission";
   flip: number; // Mean FLIP of the reference's picture without this lobe of the material against its picture with it
 }
 

@@ -35,6 +35,10 @@ describe("a material's card", () => {
     expect(inputLines(input("iridescenceIor", [1.3]))).toEqual(["1.3"]);
     expect(inputLines(input("anisotropy", [0.8]))).toEqual(["0.8"]);
     expect(inputLines(input("anisotropyRotation", [0.7853982]))).toEqual(["0.785 rad"]);
+    expect(titleOf(input("diffuseTransmissionColor", [1, 1, 1]))).toBe("Diffuse transmission colour");
+    expect(inputLines(input("attenuationColor", [1, 0.2158605, 0]))).toEqual(["#ff8000", "linear 1, 0.216, 0"]);
+    expect(inputLines(input("attenuationDistance", [0.25]))).toEqual(["0.25 m"]);
+    expect(inputLines(input("thickness", [0.02]))).toEqual(["0.02"]);
   });
 
   it("says the range of a texture, and its factor only where it is not 1", () => {

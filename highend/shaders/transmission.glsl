@@ -1,0 +1,112 @@
+// Light that passes through the base, where the permutation has it: docs/shading.md 13. Through a thin wall a GGX lobe about the
+// direction of the eye's ray; through a body the lobe about the direction in which the ray leaves it; and diffuse light of the
+// other side. What lies behind is the backdrop, and the environment where that has nothing.
+#include "gpu/shaders/backdrop.glsl"
+#include "shading/refraction.glsl"
+
+bool mayTransmit() { return (kMayFeatures & kFeatureTransmission) != 0u; }
+bool mayDiffuse() { return (kMayFeatures & kFeatureDiffuseTransmission) != 0u; }
+bool mayPassThrough() { return (kMayFeatures & kFeatureThrough) != 0u; }
+
+// Side of the square that a lobe of this alpha lights at unit distance: the lobe has its peak, 1 / (4 pi alpha^2) per
+// steradian, over as large a solid angle.
+const float kSideOfLobe = 3.5449077;
+
+struct Through {
+  vec3 weight;  // of light that keeps its direction
+  vec3 diffuse; // of the other side's illuminance, over pi
+  Shader wall;  // the mirrored surface, whose reflection is what passes through a thin wall
+};
+
+// A surface whose reflection lobe is a transmitted one: F = 1, and as much light as of a lobe that loses none.
+Shader makePassing(Shader base, vec3 N, vec3 V, float roughness) {
+  Shader s = base;
+  s.N = N;
+  s.V = V;
+  s.NoV = clamp(dot(N, V), kMinNoV, 1.0);
+  s.anisotropy = s.film = 0.0;
+  s.roughness = roughness;
+  s.alpha = sqr(max(roughness, kMinLightRoughness));
+  s.diffuseColor = vec3(0.0);
+  s.F0 = vec3(1.0);
+  s.F90 = 1.0;
+  vec2 AB = environmentBrdf(s.NoV, roughness).xy;
+  s.factor = vec3(1.0 / max(AB.x + AB.y, 1e-6));
+  s.single = vec3(1.0);
+  s.multiple = vec3(0.0);
+  s.Eavg = 1.0;
+  return s;
+}
+
+// What of the light that enters the base passes through, and of what colour. `left` of the shader is what its reflection leaves.
+Through makeThrough(Shader s, Resolved m) {
+  Through t;
+  vec3 enters = s.left * (1.0 - m.metallic);
+  t.weight = enters * m.transmission * m.baseColor;
+  t.diffuse = enters * ((1.0 - m.transmission) * m.diffuseTransmission) * m.diffuseTransmissionColor *
+              transmittance(m.absorption, m.thickness);
+  t.wall = s;
+  if (mayTransmit()) t.wall = makePassing(s, -s.N, s.V - 2.0 * dot(s.N, s.V) * s.N, m.roughness);
+  return t;
+}
+
+// illuminance: of a surface that faces the light, as it arrives on the other side. L: unit, towards the light. Through a body
+// lights do not shine: what it makes of them are caustics.
+void addThroughLight(inout Terms terms, Through t, Resolved m, Shader s, vec3 L, vec3 illuminance, float specularScale) {
+  if (mayDiffuse()) terms.t[kTermTransmission] += illuminance * (saturate(-dot(s.N, L)) * Fd_Lambert()) * t.diffuse;
+  if (!mayTransmit() || m.thickness > 0.0) return;
+  float NoL = saturate(dot(t.wall.N, L));
+  if (NoL <= 0.0) return;
+  vec3 H = safeNormalize(t.wall.V + L, t.wall.N);
+  terms.t[kTermTransmission] += illuminance * (specularScale * t.weight) *
+                                scatteredOnce(t.wall, t.wall.alpha, NoL, saturate(dot(t.wall.N, H)), saturate(dot(t.wall.V, H)));
+}
+
+// The environment's light behind what the backdrop covers. sky: scale of the environment.
+vec3 overBackdrop(vec3 environment, vec3 sky, vec3 origin, vec3 direction, float alpha) {
+  vec4 seen = seenBehind(origin, direction, kSideOfLobe * alpha);
+  return environment * sky * (1.0 - seen.w) + seen.xyz;
+}
+
+// Alpha of the read of light that is reflected within over that of the surface: its spread, and that of what is reflected
+// more often.
+const float kSpreadWithin = 2.0;
+
+vec3 environmentOf(Shader passing) { return hasEnvironment() ? reflectedLight(passing) : vec3(0.0); }
+
+// Through a body, of one index of refraction, without the weight.
+vec3 throughBody(Shader s, Point p, Resolved m, float ior, vec3 sky) {
+  Refraction r = throughSphere(s.N, s.V, ior, m.thickness, sqr(m.roughness));
+  float alpha = alphaOfRefraction(sqr(m.roughness), ior, r.bending), reflected = reflectedWithin(sqr(m.roughness), ior, r.cosine);
+  Shader passing = makePassing(s, r.outside, r.outside, sqrt(alpha));
+  vec3 light = overBackdrop(environmentOf(passing), sky, p.position + r.path * r.inside, r.outside, alpha);
+  // What is reflected within leaves at one of the next surfaces.
+  Shader again = makePassing(s, r.again, r.again, sqrt(min(kSpreadWithin * sqr(m.roughness), 1.0)));
+  vec3 left = transmittance(m.absorption, r.path);
+  vec3 later = vec3(leavingLater(reflected, left.x, m.roughness, ior), leavingLater(reflected, left.y, m.roughness, ior),
+                    leavingLater(reflected, left.z, m.roughness, ior));
+  return left * ((1.0 - reflected) * light + later * environmentOf(again) * sky);
+}
+
+// From everywhere but lights. sky: scale of the environment's light; irradianceOverPi: of the other side, in that scale.
+void addThroughEnvironment(inout Terms terms, Through t, Resolved m, Shader s, Point p, vec3 sky, vec3 irradianceOverPi) {
+  if (mayDiffuse()) terms.t[kTermTransmission] += irradianceOverPi * t.diffuse * m.occlusion;
+  if (!mayTransmit() || m.transmission <= 0.0) return;
+  vec3 light = vec3(0.0);
+  if (m.thickness > 0.0) {
+    vec3 iors = dispersedIors(m.ior, m.dispersion);
+    // One turn for all channels where they share an index.
+    int turns = m.dispersion > 0.0 ? 3 : 1;
+    for (int c = 0; c < turns; ++c) {
+      vec3 ofIndex = throughBody(s, p, m, turns == 1 ? m.ior : iors[c], sky);
+      if (turns == 1)
+        light = ofIndex;
+      else
+        light[c] = ofIndex[c];
+    }
+  } else {
+    t.wall.captures = s.captures;
+    light = overBackdrop(environmentOf(t.wall), sky, p.position, -s.V, t.wall.roughness * t.wall.roughness);
+  }
+  terms.t[kTermTransmission] += light * t.weight * m.occlusion;
+}
