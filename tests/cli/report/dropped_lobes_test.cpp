@@ -13,7 +13,7 @@ class DroppedLobesTest : public RenderingTest {
 protected:
   json report(const std::vector<std::string>& more) {
     const std::string out = (m_folder / "out").string();
-    const RunResult result = runParity(join({{"report", "builtin:lobes", "-o", out, "--size", "96x80", "--env",
+    const RunResult result = runParity(join({{"report", "builtin:lobes", "-o", out, "--size", "144x120", "--env",
                                               "builtin:studio", "--attribution", "none", "--no-cache"},
                                              more}));
     EXPECT_TRUE(exitedWith(2, result));
