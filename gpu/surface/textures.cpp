@@ -76,7 +76,8 @@ DeviceImage upload(const Device& device, const base::Image8& base, bool srgb, No
 } // namespace
 
 Textures::Use Textures::useOf(int slot, bool normalVariance) {
-  if (slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor || slot == kSlotSheenColor)
+  if (slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor || slot == kSlotSheenColor ||
+      slot == kSlotDiffuseTransmissionColor)
     return Use::color;
   return (slot == kSlotNormal || slot == kSlotCoatNormal) && normalVariance ? Use::normalVariance : Use::data;
 }

@@ -108,8 +108,9 @@ TextureImage makeOrangePeel(std::string name) {
 // a red sheen and a white one of these; one sphere for each other thing that a coat or sheen can be or lie over;
 // brushed steel of these roughnesses but 1, where no direction is seen, and with a texture; films of 200 nm and more
 // over them, on plastic and on titanium in turn, and with a texture; diffuse transmission of three strengths,
-// textures of both transmissions and a coat over one; and below a gap, since much light of their surroundings passes
-// them, balls of glass of these roughnesses, with one that disperses, and thin glass of them.
+// and half of the light through each way, a texture of transmission and a coat over it; and below a gap, since much
+// light of their surroundings passes them, balls of glass of these roughnesses, with one that disperses, and thin glass
+// of them.
 Scene makeLobesScene() {
   SceneBuilder builder("lobes");
   const Mesh sphere = makeSphere(kLobeRadius, 96, 48);
@@ -182,10 +183,9 @@ Scene makeLobesScene() {
   add(oil);
 
   for (const float share : {0.25f, 0.5f, 1.f}) add(translucent(fmt::format("translucent {:.2f}", share), share));
-  Material leaf = translucent("translucent texture", 0.8f);
-  leaf.diffuseTransmissionColorTexture =
-      builder.texture(makeChecker("leaf checker", 8, {0.45f, 0.85f, 0.25f}, {0.95f, 0.90f, 0.60f}), 2);
-  add(leaf);
+  Material opal = translucent("opal glass", 0.5f); // both ways
+  opal.transmission = 0.5f;
+  add(opal);
   Material window = thinGlass("glass texture", 0.1f);
   window.transmissionTexture = builder.texture(makeChecker("panes", 8, glm::vec3(1.f), glm::vec3(0.1f)), 2);
   add(window);

@@ -46,6 +46,18 @@ Mesh makeBall(std::size_t count) {
 
 } // namespace
 
+namespace {
+
+// A body is as thick as its ball, and absorbs as much along that as along the thickness of its own mesh.
+void fillBall(Material& material) {
+  if (!material.hasVolume()) return;
+  constexpr auto kDiameter = static_cast<float>(2 * kRadius);
+  material.attenuationDistance = std::min(material.attenuationDistance * (kDiameter / material.thickness), 1e18f);
+  material.thickness = kDiameter;
+}
+
+} // namespace
+
 Scene makeMaterialBalls(Scene scene) {
   const std::size_t count = scene.materials.size();
   if (count == 0) throw base::fileError(scene.name, "/materials", "the file has none, so --subject ball shows nothing");
@@ -62,6 +74,7 @@ Scene makeMaterialBalls(Scene scene) {
     mesh.name = fmt::format("ball {}", m);
     mesh.material = static_cast<std::uint32_t>(m);
     if (const std::optional<int> set = tangentSetOf(scene.materials[m])) makeTangents(mesh, *set);
+    fillBall(scene.materials[m]);
     const std::size_t column = m % columns, row = m / columns;
     const glm::vec3 center(static_cast<float>(column) - 0.5f * static_cast<float>(columns - 1),
                            0.5f * static_cast<float>(rows - 1) - static_cast<float>(row), 0.f);

@@ -150,6 +150,32 @@ TEST_F(TransmissionTest, DiffuseLightOfTheOtherSidePasses) {
              glm::vec3(0.8 * 0.5 * NoL / std::numbers::pi * glm::dvec3(0.9, 0.6, 0.3) * glm::dvec3(sun)), 1e-4f, "sun");
 }
 
+// The texels scale the factors: transmission by R, thickness by G, diffuse transmission by A, its colour as sRGB.
+TEST_F(TransmissionTest, TexturesScaleTheFactors) {
+  const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);
+  scenes::Scene textured = makeGlass(0.4f, 0.3f, 0.8f);
+  textured.images.push_back({"all", base::Image8(2, 2, 4, 0)});
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::uint8_t* texel = textured.images[0].pixels.pixels.data() + 4 * i;
+    texel[0] = 102, texel[1] = 153, texel[2] = 204, texel[3] = 127;
+  }
+  scenes::Material& m = textured.materials[0];
+  m.diffuseTransmission = 0.9f;
+  m.attenuationDistance = 1, m.attenuationColor = glm::vec3(0.3f, 0.6f, 0.9f);
+  scenes::Scene plain = textured;
+  for (scenes::TextureSlot* slot :
+       {&m.transmissionTexture, &m.thicknessTexture, &m.diffuseTransmissionTexture, &m.diffuseTransmissionColorTexture})
+    slot->image = 0;
+  scenes::Material& p = plain.materials[0];
+  p.transmission = 0.4f;
+  p.thickness = 0.8f * 0.6f;
+  p.diffuseTransmission = 0.9f * 127 / 255.f;
+  p.diffuseTransmissionColor = glm::vec3(f64::srgbToLinear(0.4), f64::srgbToLinear(0.6), f64::srgbToLinear(0.8));
+  const ShadedPoint a = shade(textured, under(sky)), b = shade(plain, under(sky));
+  expectNear(a[Term::transmission], b[Term::transmission], 2e-4f, "what passes");
+  expectNear(a[Term::skyDiffuse], b[Term::skyDiffuse], 2e-4f, "what stays");
+}
+
 // Light that passes lies under coat and sheen as the base does.
 TEST_F(TransmissionTest, LayersDimIt) {
   const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);

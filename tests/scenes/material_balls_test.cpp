@@ -52,6 +52,22 @@ TEST(MaterialBalls, ShowEveryMaterialOnceWithinTheView) {
   expectError([&] { scenes::makeMaterialBalls(empty); }, {"void: /materials"});
 }
 
+TEST(MaterialBalls, FillABodyAndKeepWhatItAbsorbs) {
+  Scene scene;
+  scene.materials.resize(2);
+  scenes::Material& glass = scene.materials[0];
+  glass.transmission = 1;
+  glass.thickness = 0.02f;
+  glass.attenuationDistance = 0.05f;
+  glass.attenuationColor = glm::vec3(0.2f, 0.5f, 0.9f);
+  const glm::vec3 absorbed = glass.absorption() * glass.thickness;
+  scene = scenes::makeMaterialBalls(std::move(scene));
+  EXPECT_FLOAT_EQ(scene.materials[0].thickness, 0.92f);
+  const glm::vec3 along = scene.materials[0].absorption() * 0.92f;
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(along[c], absorbed[c], 1e-5f);
+  EXPECT_EQ(scene.materials[1].thickness, 0.f) << "it is no body";
+}
+
 TEST(MaterialBalls, KeepTheSunAndLeaveLocalLights) {
   Scene scene;
   scene.materials.resize(300);
