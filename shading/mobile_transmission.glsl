@@ -3,7 +3,7 @@
 #define PARITY_SHADING_MOBILE_TRANSMISSION
 
 #ifndef __cplusplus
-#include "shading/refraction.glsl"
+#include "shading/real.glsl"
 #endif
 
 // The forms. alpha: as a blended surface; refracted: one fetch of the environment; mixed: that, and over it the picture behind
@@ -20,13 +20,6 @@ CONSTANT int kDiffuseTransmissionLambert = 1;
 FN real mobileSceneShare(real Roughness) {
   PRECISE real share = R(1.0) - R(2.0) * Roughness;
   return max(share, R(0.0));
-}
-
-// Roughness of the reflection whose directions spread as much as those of light along the axis of a body: the root of
-// alphaOfRefraction(Roughness^2, ior, 1 / ior). In [0, 1].
-FN real mobileRefractedRoughness(real Roughness, real32 ior) {
-  PRECISE real32 r = sqrt(alphaOfRefraction(real32(Roughness) * real32(Roughness), ior, R32(1.0) / ior));
-  return real(r);
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "shading/mobile_lobes.glsl"
 #include "shading/mobile_microfacets.glsl"
 #include "shading/mobile_transmission.glsl"
+#include "shading/refraction.glsl"
 #endif
 #include "shading/rgbm.glsl"
 #include "shading/tinted_sky.glsl"

@@ -59,15 +59,23 @@ void addThroughEnvironment(inout BasePass pass, Through t, Resolved r, Point p, 
   if (!showsTransmission()) return;
   vec3 direction = -frame.V32;
   real mip = R(0.0);
-  real3 left = t.weight;
+  real3 left = t.weight, later = real3(R(0.0));
   real sceneShare = kTransmission == kTransmissionAlpha ? R(1.0) : R(0.0);
   if (kTransmission != kTransmissionAlpha) {
     if (r.thickness > 0.0) {
-      Refraction body = throughSphere(frame.N32, frame.V32, r.ior, r.thickness, 0.0);
+      float alpha = float(Roughness) * float(Roughness);
+      Refraction body = throughSphere(frame.N32, frame.V32, r.ior, r.thickness, alpha);
       direction = body.outside;
-      real spread = mobileRefractedRoughness(Roughness, r.ior);
+      real spread = real(sqrt(alphaOfRefraction(alpha, r.ior, body.bending)));
       mip = kEnvironmentBrdf == kEnvironmentBrdfRefit ? refitTap(spread, R(1.0)).mip : mipFromRoughness(spread);
-      left = product(left, real3(transmittance(r.absorption, body.path)));
+      // What is reflected within leaves at one of the next surfaces: as diffuse light from there.
+      float reflected = reflectedWithin(alpha, r.ior, body.cosine);
+      vec3 kept = transmittance(r.absorption, body.path);
+      vec3 share = kept * vec3(leavingLater(reflected, kept.x, float(Roughness), r.ior),
+                               leavingLater(reflected, kept.y, float(Roughness), r.ior),
+                               leavingLater(reflected, kept.z, float(Roughness), r.ior));
+      if (hasEnvironment()) later = modulate(modulate(modulate(skyDiffuse(real3(body.again)), sky), left), real3(share));
+      left = product(left, real3((1.0 - reflected) * kept));
     } else {
       direction = reflection - 2.0 * dot(frame.N32, reflection) * frame.N32;
       mip = reflectionMip;
@@ -80,5 +88,5 @@ void addThroughEnvironment(inout BasePass pass, Through t, Resolved r, Point p, 
     vec4 seen = float(sceneShare) * backdropTexel(p.position, 1.0, 0.0);
     light = add(product(light, real(1.0 - seen.w)), product(narrow(seen.xyz), MaterialAO));
   }
-  addThroughTerm(pass, modulate(light, left));
+  addThroughTerm(pass, add(modulate(light, left), later));
 }

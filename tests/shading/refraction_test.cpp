@@ -7,7 +7,6 @@
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
-#include "shading/flushed_half.h"
 #include "shading/shading.h"
 
 namespace parity::shading {
@@ -228,17 +227,6 @@ TEST(ReflectedWithin, FitsTheMeanOverMicrofacets) {
   };
   EXPECT_LT(rmsOf(1.5), 0.034);
   for (const double ior : {1.3, 1.8, 2.4}) EXPECT_LT(rmsOf(ior), 0.085) << ior;
-}
-
-TEST(MobileRefractedRoughness, IsTheRootOfThatAlphaAndInHalfNoNaN) {
-  for (int r = 0; r <= 64; ++r)
-    for (const double ior : {1.0, 1.2, 1.5, 2.4, 10.0}) {
-      const double roughness = r / 64.0;
-      EXPECT_NEAR(f64::mobileRefractedRoughness(roughness, ior),
-                  std::sqrt(f64::alphaOfRefraction(roughness * roughness, ior, 1 / ior)), 1e-9);
-      const float half = static_cast<float>(f16::mobileRefractedRoughness(Half(roughness), static_cast<float>(ior)));
-      EXPECT_TRUE(half >= 0 && half <= 1) << roughness << " " << ior;
-    }
 }
 
 TEST(MobileSceneShare, FadesFromAMirrorToHalfRoughness) {

@@ -101,7 +101,6 @@ TEST(StressTable, EvaluatesEveryPublicFunctionOfTheSources) {
                                            "transmittance",
                                            "dispersedIors",
                                            "alphaOfRefraction",
-                                           "mobileRefractedRoughness",
                                            "mobileSceneShare"};
   for (const std::string& name : names) {
     if (elsewhere.count(name)) continue;
