@@ -68,14 +68,17 @@ void addThroughEnvironment(inout BasePass pass, Through t, Resolved r, Point p, 
       direction = body.outside;
       real spread = real(sqrt(alphaOfRefraction(alpha, r.ior, body.bending)));
       mip = kEnvironmentBrdf == kEnvironmentBrdfRefit ? refitTap(spread, R(1.0)).mip : mipFromRoughness(spread);
-      // What is reflected within leaves at one of the next surfaces: as diffuse light from there.
+      // What is reflected within leaves at one of the next surfaces: of a rough body as diffuse light from there, of a smooth
+      // one, where that would lose the lamps, with the fetch.
       float reflected = reflectedWithin(alpha, r.ior, body.cosine);
       vec3 kept = transmittance(r.absorption, body.path);
       vec3 share = kept * vec3(leavingLater(reflected, kept.x, float(Roughness), r.ior),
                                leavingLater(reflected, kept.y, float(Roughness), r.ior),
                                leavingLater(reflected, kept.z, float(Roughness), r.ior));
-      if (hasEnvironment()) later = modulate(modulate(modulate(skyDiffuse(real3(body.again)), sky), left), real3(share));
-      left = product(left, real3((1.0 - reflected) * kept));
+      float spreads = min(2.5 * float(Roughness), 1.0);
+      if (hasEnvironment())
+        later = modulate(modulate(modulate(skyDiffuse(real3(body.again)), sky), left), real3(spreads * share));
+      left = product(left, real3((1.0 - reflected) * kept + (1.0 - spreads) * share));
     } else {
       direction = reflection - 2.0 * dot(frame.N32, reflection) * frame.N32;
       mip = reflectionMip;
