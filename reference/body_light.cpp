@@ -1,7 +1,6 @@
 #include "reference/body_light.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -10,7 +9,6 @@
 #include "reference/reflection.h"
 #include "reference/refracted_lobe.h"
 #include "reference/replicates.h"
-#include "scenes/luminance.h"
 #include "shading/shading.h"
 
 namespace parity::reference {
@@ -56,7 +54,7 @@ public:
   }
 
 private:
-  static constexpr int kMostTurns = 32, kCandidates = 4;
+  static constexpr int kMostTurns = 32;
 
   // One path, of an index. The same points give the same choices.
   glm::dvec3 lightThrough(double ior, const glm::dvec2& u, PathPoints points) const {
@@ -70,7 +68,7 @@ private:
 
   // Of the light that comes along a ray within the body, from the sample on.
   glm::dvec3 lightWithin(const RefractedLobe& exit, glm::dvec3 direction, PathPoints& points) const {
-    constexpr double kLeastLeft = 1e-6, kSurelyGoesOn = 0.02;
+    constexpr double kLeastLeft = 1e-6, kSurelyGoesOn = 0.2;
     glm::dvec3 light(0), throughput(1);
     glm::dvec3 from(m_sample.position), origin = m_around.bodies.leaveSurface(from, -m_geometric);
     for (int turn = 0; turn < kMostTurns && largest(throughput) > kLeastLeft; ++turn) {
@@ -119,7 +117,7 @@ private:
                           PathPoints& points) const {
     glm::dvec3 light(0);
     const bool isJoined = m_samplesSky && exit.hasDensity();
-    if (isJoined) light += sampledSky(exit, at, points.next());
+    if (isJoined) light += sampledSky(exit, at, glm::dvec2(points.next()));
     const auto refracted = exit.refract(at.view, half);
     if (!refracted) return light;
     const glm::dvec3 direction = at.frame.toWorld(*refracted);
@@ -129,32 +127,15 @@ private:
       return light + values.value / values.pdf * radianceOf(*hit, direction, points);
     if (!m_hasSky) return light;
     const EnvironmentSample sky = m_around.environment->evaluate(direction);
-    return light + values.value / (values.pdf + (isJoined ? kCandidates * sky.pdf : 0)) * sky.radiance;
+    return light + values.value / (values.pdf + (isJoined ? sky.pdf : 0)) * sky.radiance;
   }
 
-  // By the environment's own light: of several directions one, in proportion to what it adds, is tested for what hides
-  // it (Talbot et al. 2005, "Importance Resampling for Global Illumination").
-  glm::dvec3 sampledSky(const RefractedLobe& exit, const Exit& at, const glm::dvec3& u) const {
-    std::array<glm::dvec3, kCandidates> directions, adds;
-    double all = 0;
-    for (int k = 0; k < kCandidates; ++k) { // u and its images, evenly shifted (Cranley and Patterson 1976)
-      const auto i = static_cast<std::size_t>(k);
-      const glm::dvec2 moved = glm::fract(glm::dvec2(u) + glm::dvec2((k + 0.5) / kCandidates, shiftOf(k)));
-      const EnvironmentSample sky = m_around.environment->sample(glm::clamp(moved, 1e-12, 1 - 1e-12));
-      const RefractedValues values = exit.evaluate(at.view, at.frame.toLocal(sky.direction));
-      directions[i] = sky.direction;
-      adds[i] = values.value / (values.pdf + kCandidates * sky.pdf) * sky.radiance;
-      all += scenes::luminanceOf(adds[i]);
-    }
-    double rest = u.z * all;
-    for (std::size_t i = 0; i < kCandidates; ++i) {
-      const double share = scenes::luminanceOf(adds[i]);
-      if ((rest -= share) > 0 || !(share > 0)) continue;
-      return at.fromHere.reaches(directions[i]) ? adds[i] * (all / share) : glm::dvec3(0);
-    }
-    return glm::dvec3(0);
+  glm::dvec3 sampledSky(const RefractedLobe& exit, const Exit& at, const glm::dvec2& u) const {
+    const EnvironmentSample sky = m_around.environment->sample(u);
+    const RefractedValues values = exit.evaluate(at.view, at.frame.toLocal(sky.direction));
+    if (!(values.value > 0) || !at.fromHere.reaches(sky.direction)) return glm::dvec3(0);
+    return values.value / (values.pdf + sky.pdf) * sky.radiance;
   }
-  static double shiftOf(int k) { return reverseBits(static_cast<std::uint32_t>(k)) * 0x1p-32; }
 
   // As if the body ended here.
   glm::dvec3 straightOn(const glm::dvec3& origin, const glm::dvec3& direction, PathPoints& points) const {

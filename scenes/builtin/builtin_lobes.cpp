@@ -108,7 +108,7 @@ TextureImage makeOrangePeel(std::string name) {
 // a red sheen and a white one of these; one sphere for each other thing that a coat or sheen can be or lie over;
 // brushed steel of these roughnesses but 1, where no direction is seen, and with a texture; films of 200 nm and more
 // over them, on plastic and on titanium in turn, and with a texture; diffuse transmission of three strengths,
-// and half of the light through each way, a texture of transmission and a coat over it; and below a gap, since much
+// and light through both ways, a texture of transmission and a coat over it; and below a gap, since much
 // light of their surroundings passes them, balls of glass of these roughnesses, with one that disperses, and thin glass
 // of them.
 Scene makeLobesScene() {
@@ -184,7 +184,7 @@ Scene makeLobesScene() {
 
   for (const float share : {0.25f, 0.5f, 1.f}) add(translucent(fmt::format("translucent {:.2f}", share), share));
   Material opal = translucent("opal glass", 0.5f); // both ways
-  opal.transmission = 0.5f;
+  opal.transmission = 0.6f;                        // above one half: its far side is not seen through its near one
   add(opal);
   Material window = thinGlass("glass texture", 0.1f);
   window.transmissionTexture = builder.texture(makeChecker("panes", 8, glm::vec3(1.f), glm::vec3(0.1f)), 2);
