@@ -22,7 +22,7 @@ struct Inputs {
   const lighting::SurfaceLight* surfaces = nullptr;
   const lighting::Emitters* emitters = nullptr;
   const SheenAlbedo* sheenAlbedo = nullptr; // where a sample has a sheen
-  // What is seen through surfaces: as visibility, and there without shadows, too. null: nothing.
+  // What is seen through surfaces: of Contents::behind, and there without shadows, too. null: nothing.
   const lighting::Visibility* behind = nullptr;
   const lighting::Visibility* bodies = nullptr; // of Contents::bodies, where a sample has a volume
 };

@@ -39,9 +39,9 @@ FN MobileAnisotropy mobileAnisotropy(real Roughness, real strength) {
 }
 
 // The normal about which the environment is read: between N and the normal that fibres along the bitangent B show to the
-// eye, V without its part along B. Roughness grows across the fibres, along the tangent. McAllister, Lastra and Heidrich 2002 ("Efficient Rendering of Spatial
-// Bi-directional Reflectance Distribution Functions") and Revie 2012; the share is the project's own, (alphaT - alphaB) /
-// (alphaT + alphaB). N, B, V unit. V along B: N.
+// eye, V without its part along B. Roughness grows across the fibres, along the tangent. McAllister, Lastra and Heidrich
+// 2002 ("Efficient Rendering of Spatial Bi-directional Reflectance Distribution Functions") and Revie 2012; the share is the
+// project's own, (alphaT - alphaB) / (alphaT + alphaB). N, B, V unit. V along B: N.
 FN real32x3 bentNormal(real32x3 N, real32x3 B, real32x3 V, real32 share) {
   real32 along = dot32(B, V);
   PRECISE real32x3 seen = real32x3(V.x - B.x * along, V.y - B.y * along, V.z - B.z * along);

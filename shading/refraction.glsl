@@ -83,7 +83,9 @@ FN real32 reflectedWithin(real32 alpha, real32 ior, real32 c) {
   PRECISE real32 p = (c - ior * o) / max(c + ior * o, R32(1e-12));
   PRECISE real32 F = o > R32(0.0) ? R32(0.5) * (s * s + p * p) : R32(1.0);
   PRECISE real32 rough = R32(1.0) - R32(1.0) / (ior * ior);
-  PRECISE real32 exponent = alpha * (R32(12.8) * (R32(1.0) - o) * (R32(1.0) - o) + alpha * R32(2.7) * max(R32(2.0) * o - R32(1.0), R32(0.0)));
+  PRECISE real32 a = R32(12.8) * (R32(1.0) - o) * (R32(1.0) - o);
+  PRECISE real32 b = R32(2.7) * max(R32(2.0) * o - R32(1.0), R32(0.0));
+  PRECISE real32 exponent = alpha * (a + b * alpha);
   PRECISE real32 share = F + (rough - F) * (R32(1.0) - exp(-exponent));
   return min(max(share, R32(0.0)), R32(1.0));
 }

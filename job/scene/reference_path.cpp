@@ -95,8 +95,9 @@ std::string makeLightKey(const std::string& buildId, const PreparedScene& prepar
   hasher.addValue(settings.reference.bounces).addValue(settings.shadows);
   const bool looksThrough = letsLightThrough(prepared.scene);
   if (settings.reference.bounces > 0 || looksThrough) hasher.add(lighting::hashOfSurfaces(prepared.scene));
-  if (looksThrough) // which meshes bound a body
-    for (const scenes::Material& material : prepared.scene.materials) hasher.addValue(material.hasVolume());
+  if (looksThrough) // which meshes bound a body, and which are not seen behind others
+    for (const scenes::Material& material : prepared.scene.materials)
+      hasher.addValue(material.hasVolume()).addValue(material.hasTransmission());
   hasher.add(tracesScene(prepared) ? lighting::hashOfOccluders(prepared.scene) : "no occluders");
   return hasher.hex();
 }
@@ -144,6 +145,10 @@ std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<
   const bool castsShadows = m_settings.shadows || options.bounces > 0;
   if ((castsShadows || looksThrough) && !m_visibility)
     m_visibility = std::make_unique<lighting::Visibility>(m_prepared.scene);
+  const bool castersTransmit = std::ranges::any_of(
+      m_prepared.scene.materials, [](const auto& m) { return m.castsShadow() && m.hasTransmission(); });
+  if (looksThrough && castersTransmit && !m_behind)
+    m_behind = std::make_unique<lighting::Visibility>(m_prepared.scene, lighting::Visibility::Contents::behind);
   if (!m_bodies && std::ranges::any_of(samples, isBody))
     m_bodies = std::make_unique<lighting::Visibility>(m_prepared.scene, lighting::Visibility::Contents::bodies);
   if ((options.bounces > 0 || looksThrough) && !m_surfaces) {
@@ -157,7 +162,9 @@ std::vector<reference::ShadedSample> ReferencePath::integrate(const std::vector<
                                  .surfaces = m_surfaces.get(),
                                  .emitters = m_emitters.get(),
                                  .sheenAlbedo = m_sheenAlbedo.get(),
-                                 .behind = looksThrough ? m_visibility.get() : nullptr,
+                                 .behind = !looksThrough ? nullptr
+                                           : m_behind    ? m_behind.get()
+                                                         : m_visibility.get(),
                                  .bodies = m_bodies.get()};
   return reference::shade(samples, inputs, options, progress);
 }

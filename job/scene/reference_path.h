@@ -45,6 +45,7 @@ private:
   std::unique_ptr<reference::DirectionalAlbedo> m_albedo;
   std::unique_ptr<reference::SheenAlbedo> m_sheenAlbedo; // where something has a sheen
   std::unique_ptr<lighting::Visibility> m_visibility;
+  std::unique_ptr<lighting::Visibility> m_behind;     // where something is looked through, and some casters are too
   std::unique_ptr<lighting::Visibility> m_bodies;     // where something is seen through one
   std::unique_ptr<lighting::SurfaceLight> m_surfaces; // these two where light bounces or passes through
   std::unique_ptr<lighting::Emitters> m_emitters;

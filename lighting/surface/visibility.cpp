@@ -24,8 +24,9 @@ bool casts(const scenes::Scene& scene, const scenes::Instance& instance) {
 }
 
 bool isIn(Visibility::Contents contents, const scenes::Scene& scene, const scenes::Instance& instance) {
-  if (contents == Visibility::Contents::casters) return casts(scene, instance);
-  return scene.materials[scene.meshes[instance.mesh].material].hasVolume();
+  const scenes::Material& material = scene.materials[scene.meshes[instance.mesh].material];
+  if (contents == Visibility::Contents::bodies) return material.hasVolume();
+  return material.castsShadow() && !(contents == Visibility::Contents::behind && material.hasTransmission());
 }
 
 struct ReleaseDevice {

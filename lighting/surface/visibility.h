@@ -23,7 +23,9 @@ class Visibility {
 public:
   // bodies: in place of all that, the instances that bound a body which light passes through
   // (scenes::Material::hasVolume), whether they occlude or not.
-  enum class Contents { casters, bodies };
+  // behind: those of the casters that light does not pass through at all (scenes::Material::hasTransmission), which are
+  // what a path's backdrop shows.
+  enum class Contents { casters, bodies, behind };
   // The scene must outlive it and not change. Throws base::Error (exit 4) beyond kMaxTriangles, and for what Embree
   // reports.
   explicit Visibility(const scenes::Scene& scene, Contents contents = Contents::casters);

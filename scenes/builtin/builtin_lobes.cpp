@@ -184,7 +184,7 @@ Scene makeLobesScene() {
 
   for (const float share : {0.25f, 0.5f, 1.f}) add(translucent(fmt::format("translucent {:.2f}", share), share));
   Material opal = translucent("opal glass", 0.5f); // both ways
-  opal.transmission = 0.6f;                        // above one half: its far side is not seen through its near one
+  opal.transmission = 0.5f;
   add(opal);
   Material window = thinGlass("glass texture", 0.1f);
   window.transmissionTexture = builder.texture(makeChecker("panes", 8, glm::vec3(1.f), glm::vec3(0.1f)), 2);

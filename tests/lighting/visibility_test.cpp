@@ -223,6 +223,28 @@ TEST(Visibility, BothSidesOccludeAndBlendedUnlitAndMostlyTransmissiveMaterialsDo
   }
 }
 
+// What lies behind glass is what casts, without all that transmits, be it little; bodies are those with a volume.
+TEST(Visibility, ContentsAreTheCastersTheBodiesOrWhatLiesBehind) {
+  scenes::Scene scene = tests::makeQuadScene();
+  scenes::Material& m = scene.materials[0];
+  const auto isThere = [&](Visibility::Contents contents) {
+    return Visibility(scene, contents).isOccluded({0, 0, 1}, {0, 0, -1});
+  };
+  using Contents = Visibility::Contents;
+  EXPECT_TRUE(isThere(Contents::casters) && isThere(Contents::behind));
+  EXPECT_FALSE(isThere(Contents::bodies));
+  m.transmission = 0.4f;
+  EXPECT_TRUE(isThere(Contents::casters));
+  EXPECT_FALSE(isThere(Contents::behind)) << "it is looked through";
+  m.thickness = 0.1f;
+  EXPECT_TRUE(isThere(Contents::bodies));
+  m.transmission = 0.8f;
+  EXPECT_FALSE(isThere(Contents::casters) || isThere(Contents::behind));
+  EXPECT_TRUE(isThere(Contents::bodies));
+  m.transmission = 0, m.diffuseTransmission = 1;
+  EXPECT_TRUE(isThere(Contents::behind)) << "leaves are seen";
+}
+
 TEST(Visibility, NothingAndTrianglesOfNoUseOccludeNothing) {
   EXPECT_FALSE(Visibility(scenes::Scene()).isOccluded({0, 0, 0}, {0, 0, 1}));
   scenes::Scene scene = makeScene(tests::makeQuad(0));
