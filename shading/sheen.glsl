@@ -81,7 +81,7 @@ FN real V_Neubelt(real NoV, real NoL) {
 }
 
 // Directional albedo of D_Charlie V_Charlie, clamped to 1: the share of light that a white sheen sends out. This
-// project's own fit (bench/fit_sheen_albedo.cpp): with r = max(sheenRoughness, 0.07), u = 1/r and N = NoV,
+// project's own fit (study/fit/sheen_fit.h; 'parity fit' prints it): with r = max(sheenRoughness, 0.07), u = 1/r and N = NoV,
 //   E = 2^(-2.0471 + 0.5047 u + 2.3955 r - 0.7013 r^2 + sqrt(N) (-0.1129 u^2 - 0.6 u - 0.8742 r)
 //          + N (-1.0201 u + 0.2804 u^2) - 0.4386 N^2 u^2)
 // Over NoV 0.02 to 1 and roughness 0.07 to 1 within 0.0425 of the integral, rms 0.0063; half adds 0.003

@@ -19,6 +19,8 @@ Refit fitRefit(const Settings& settings, const Say& say) {
   const TapFit taps(settings.geometryTerm);
   say("fitting the environment fetch");
   refit.tap = taps.fit();
+  say("fitting the sheen");
+  refit.sheen = fitSheen();
   say("measuring errors");
   refit.tapError = taps.errorOf([&](double R, double N) { return evaluateTap(refit.tap, R, N); });
   refit.mirrorError = taps.errorOf([](double R, double) { return Tap{1, f64::mipFromRoughness(R)}; });

@@ -99,11 +99,17 @@ std::string formatShader(const Refit& r, Language language) {
   text += fmt::format(
       "// Environment, a lamp as displayed: error {:.3f} (one read in the mirror direction {:.3f}, dominant {:.3f})\n",
       r.tapError, r.mirrorError, r.dominantError);
+  text += fmt::format("// Sheen (Charlie, Estevez and Kulla 2017), c: the constants in order, r = max(sheen roughness, "
+                      "0.07), u = 1 / r:\n"
+                      "//   albedo = min(exp2(c0 + c1 u + c2 r + c3 r^2 + sqrt(N) (c4 u^2 + c5 u + c6 r)\n"
+                      "//                     + N (c7 u + c8 u^2) + c9 N^2 u^2), 1)\n"
+                      "// Error of it, N in [0.02, 1], r in [0.07, 1]: rms {:.4f}  max {:.4f}\n",
+                      r.sheen.rms, r.sheen.max);
   text += arrayOf(language, "kRefitB", r.lobe.B) + arrayOf(language, "kRefitLoss", r.lobe.loss);
   if (compensated) text += scalar(language, "kRefitReturn", r.lobe.k);
   if (r.spread != 0) text += scalar(language, "kRefitSpread", r.spread);
   return text + arrayOf(language, "kRefitLean", r.tap.lean) + arrayOf(language, "kRefitMip", r.tap.mip) +
-         arrayOf(language, "kRefitWide", r.tap.wide);
+         arrayOf(language, "kRefitWide", r.tap.wide) + arrayOf(language, "kRefitSheen", r.sheen.constants);
 }
 
 std::string formatJson(const Refit& r) {
@@ -121,7 +127,8 @@ std::string formatJson(const Refit& r) {
         {"spread", r.spread},
         {"lean", r.tap.lean},
         {"mip", r.tap.mip},
-        {"wide", r.tap.wide}}},
+        {"wide", r.tap.wide},
+        {"sheen", r.sheen.constants}}},
       {"errors",
        {{"albedo", albedo},
         {"direct",
@@ -129,6 +136,7 @@ std::string formatJson(const Refit& r) {
           {"least", r.direct.least},
           {"most", r.direct.most},
           {"exitanceMax", r.direct.exitanceMax}}},
+        {"sheen", {{"rms", r.sheen.rms}, {"max", r.sheen.max}}},
         {"read", {{"error", r.tapError}, {"mirror", r.mirrorError}, {"dominant", r.dominantError}}}}}};
   return all.dump(2) + "\n";
 }

@@ -93,6 +93,14 @@ TEST_F(TransmissionTest, ASmoothWallShowsWhatIsStraightBehindAndABodyBendsIt) {
   EXPECT_EQ(bent[Term::transmission].y, 0);
 }
 
+// What leaves a smooth ball of the light that entered it at this angle; the ball is `thickness` attenuation distances
+// wide.
+glm::vec3 leavingBody(double ior, double angle, const glm::dvec3& attenuationColor, double thickness) {
+  const double cosine = std::sqrt(1 - std::pow(std::sin(angle) / ior, 2)), R = f64::reflectedWithin(0, ior, cosine);
+  const glm::dvec3 left = glm::pow(attenuationColor, glm::dvec3(thickness * cosine));
+  return glm::vec3(left * (1 - R) / (1.0 - R * left));
+}
+
 // On the straight way once, and once more after each reflection within.
 TEST_F(TransmissionTest, ABodyAbsorbsAlongItsPaths) {
   const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);
@@ -100,17 +108,45 @@ TEST_F(TransmissionTest, ABodyAbsorbsAlongItsPaths) {
   const ShadedPoint clear = shade(scene, under(sky));
   scene.materials[0].attenuationColor = glm::vec3(1, 0.5f, 0.1f);
   scene.materials[0].attenuationDistance = 2;
-  const auto expectedAt = [](double scale) {
-    const double cosine = std::sqrt(1 - std::pow(std::sin(0.6) / 1.5, 2)), R = f64::reflectedWithin(0, 1.5, cosine);
-    const glm::dvec3 left = glm::pow(glm::dvec3(1, 0.5, 0.1), glm::dvec3(0.5 * scale * cosine / 2));
-    return glm::vec3(left * (1 - R) / (1.0 - R * left));
-  };
+  const auto expectedAt = [](double scale) { return leavingBody(1.5, 0.6, {1, 0.5, 0.1}, 0.5 * scale / 2); };
   expectNear(shade(scene, under(sky))[Term::transmission], clear[Term::transmission] * expectedAt(1), 1e-3f,
              "absorbed");
   // The object's scale counts: twice as large, twice as thick.
   scene.instances[0].toWorld = glm::mat4(2.f);
   scene.instances[0].toWorld[3][3] = 1;
   expectNear(shade(scene, under(sky))[Term::transmission], clear[Term::transmission] * expectedAt(2), 1e-3f, "scaled");
+}
+
+// Each channel goes its own way, which is as long as its index has it.
+TEST_F(TransmissionTest, DispersionGivesEachChannelItsIndex) {
+  const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);
+  scenes::Scene scene = makeGlass(0.9f, 0, 0.5f);
+  const ShadedPoint clear = shade(scene, under(sky));
+  scene.materials[0].attenuationColor = glm::vec3(0.1f);
+  scene.materials[0].attenuationDistance = 0.25f;
+  scene.materials[0].dispersion = 20;
+  const auto iors = f64::dispersedIors(1.5, 20);
+  ASSERT_NEAR(iors.z - iors.x, 0.5, 1e-9);
+  const auto leaving = [](double ior) { return leavingBody(ior, 0.9, glm::dvec3(0.1), 2).x; };
+  const glm::vec3 expected(leaving(iors.x), leaving(iors.y), leaving(iors.z));
+  ASSERT_GT(expected.x / expected.z, 1.5f);
+  expectNear(shade(scene, under(sky))[Term::transmission], clear[Term::transmission] * expected, 2e-3f, "dispersed");
+}
+
+// What is occluded is as dark through glass as it is on a surface.
+TEST_F(TransmissionTest, OcclusionDimsTheLightOfTheEnvironment) {
+  const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);
+  for (const float thickness : {0.f, 0.5f})
+    for (const float transmission : {0.f, 1.f}) { // 0: diffuse light alone
+      scenes::Scene scene = makeGlass(0.4f, 0.3f, thickness);
+      scene.materials[0].transmission = transmission;
+      scene.materials[0].diffuseTransmission = 1;
+      const ShadedPoint open = shade(scene, under(sky));
+      scene.images.push_back({"occlusion", base::Image8(2, 2, 4, 102)});
+      scene.materials[0].occlusionTexture.image = 0;
+      ASSERT_GT(open[Term::transmission].x, 0.3f);
+      expectNear(shade(scene, under(sky))[Term::transmission], 0.4f * open[Term::transmission], 2e-3f, "occluded");
+    }
 }
 
 // A light behind a thin wall: GGX's lobe about its direction through the wall, as much of it as the lobe's albedo

@@ -8,6 +8,7 @@
 #include "study/fit/error_table.h"
 #include "study/fit/lobe_fit.h"
 #include "study/fit/minimise.h"
+#include "study/fit/sheen_fit.h"
 #include "study/fit/truth.h"
 
 namespace parity::tests {
@@ -120,6 +121,27 @@ TEST(LobeFit, FollowsTheSettings) {
     EXPECT_LE(direct.rmsLogRatio, 0.09);
     EXPECT_LE(direct.exitanceMax, 1.11);
   }
+}
+
+// shading/sheen.glsl holds the constants that parity fit finds, and they meet the target: albedo rms .01.
+TEST(SheenFit, ShaderHoldsTheConstantsOfTheFitAndMeetsItsTarget) {
+  const SheenFit sheen = fitSheen();
+  EXPECT_LE(sheen.rms, 0.0064);
+  EXPECT_LE(sheen.max, 0.043);
+  for (const double r : {0.0, 0.1, 0.35, 0.6, 1.0})
+    for (const double N : {0.02, 0.1, 0.4, 0.7, 1.0})
+      EXPECT_NEAR(evaluateSheen(sheen.constants, r, N), f64::sheenAlbedoFit(r, N), 1e-12) << r << ", " << N;
+}
+
+// The coat of refit is its lobe of a nonmetal (shading/refit.glsl), without compensation: the target is rms .01, too.
+TEST(LobeFit, TheCoatsAlbedoIsWithinItsTarget) {
+  double squares = 0;
+  const std::vector<Point> points = correlated().pointsOf(Domain::full, 96);
+  for (const Point& p : points) {
+    const double error = f64::refitNonmetalLobe(p.roughness, p.NoV).single.x - correlated().single(p, 0.04);
+    squares += error * error;
+  }
+  EXPECT_LE(std::sqrt(squares / static_cast<double>(points.size())), 0.0052);
 }
 
 } // namespace

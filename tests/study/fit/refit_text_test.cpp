@@ -17,6 +17,7 @@ Refit sample() {
   refit.tap = {{1, -2}, {5.5, 1.25, 3}, {1.5, -0.25, 0.75}};
   refit.albedo = {{"0.04", 0.0051, 0.0422}};
   refit.direct = {0.02, 0.9, 1.1, 1.03};
+  refit.sheen = {{-2, 0.5, 1, 2, 3, 4, 5, 6, 7, 8.5}, 0.0063, 0.0425};
   return refit;
 }
 
@@ -28,8 +29,10 @@ TEST(RefitText, GivesEachLanguageItsArrays) {
   EXPECT_TRUE(has(glsl, "const float kRefitLoss[3] = float[3](0.5, 0.25, 1e-07);\n")) << glsl;
   EXPECT_TRUE(has(hlsl, "static const float kRefitB[7] = {-1.5, 2.0, 3.0, 4.0, 5.0, 6.0, -7.25};\n")) << hlsl;
   EXPECT_TRUE(has(hlsl, "static const float kRefitReturn = 0.75;\n")) << hlsl;
+  EXPECT_TRUE(has(glsl, "kRefitSheen[10] = float[10](-2.0, 0.5, 1.0,")) << glsl;
   for (const std::string& text : {glsl, hlsl})
-    for (const char* part : {"schlick-smith", "kulla-conty", "F0 0.04", "rms 0.0051", "max 0.0422", "kRefitSpread"})
+    for (const char* part :
+         {"schlick-smith", "kulla-conty", "F0 0.04", "rms 0.0051", "max 0.0422", "kRefitSpread", "rms 0.0063"})
       EXPECT_TRUE(has(text, part)) << part;
 }
 
@@ -51,6 +54,8 @@ TEST(RefitText, JsonHoldsTheSameNumbers) {
   EXPECT_EQ(json["settings"]["geometryTerm"], "schlick-smith");
   EXPECT_EQ(json["errors"]["albedo"][0]["max"], 0.0422);
   EXPECT_EQ(json["errors"]["direct"]["exitanceMax"], 1.03);
+  EXPECT_EQ(json["constants"]["sheen"][9], 8.5);
+  EXPECT_EQ(json["errors"]["sheen"]["max"], 0.0425);
 }
 
 TEST(RoundConstant, KeepsSixDigits) {
