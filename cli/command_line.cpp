@@ -17,6 +17,7 @@
 #include "cli/options/command_help.h"
 #include "cli/options/common_options.h"
 #include "cli/options/contract_options.h"
+#include "cli/options/explain_options.h"
 #include "cli/options/export_options.h"
 #include "cli/options/fit_options.h"
 #include "cli/options/flip_options.h"
@@ -29,6 +30,7 @@
 #include "cli/options/render_options.h"
 #include "cli/options/stress_options.h"
 #include "cli/options/suite_options.h"
+#include "cli/options/worst_options.h"
 
 namespace parity::cli {
 
@@ -223,6 +225,16 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       "bench", "Measure error and run time of every setting on the same surfaces, with Pareto plots");
   addBenchOptions(benchApp, rawBench);
 
+  RawExplainOptions rawExplain;
+  CLI::App& explainApp = *app.add_subcommand(
+      "explain", "Find what would help each material: the best sets of changes of the mobile path, and what they cost");
+  addExplainOptions(explainApp, rawExplain);
+
+  RawWorstOptions rawWorst;
+  CLI::App& worstApp = *app.add_subcommand(
+      "worst", "Find the view, the sun and the rotation of the environment under which a scene is worst, for a suite");
+  addWorstOptions(worstApp, rawWorst);
+
   RawStressOptions rawStress;
   CLI::App& stressApp = *app.add_subcommand(
       "stress", "Test every shading function and whole renders at the edges of their domains; 2: a new finding");
@@ -353,6 +365,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleFit(rawFit);
     } else if (plotApp.parsed()) {
       parsed.command = settlePlot(rawPlot);
+    } else if (worstApp.parsed()) {
+      parsed.command = settleWorst(worstApp, rawWorst);
+    } else if (explainApp.parsed()) {
+      parsed.command = settleExplain(explainApp, rawExplain);
     } else if (benchApp.parsed()) {
       parsed.command = settleBench(benchApp, rawBench);
     } else if (stressApp.parsed()) {

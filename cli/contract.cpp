@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "cli/file_conflicts.h"
+#include "cli/input_list.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "cli/progress.h"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "cli/invocation.h"
 #include "cli/output.h"
 #include "job/context.h"

@@ -20,6 +20,7 @@
 #include "report/budget_suggest.h"
 #include "report/summary/summary.h"
 #include "scenes/suite/suite.h"
+#include "study/explain/worst.h"
 #include "study/fit/truth.h"
 #include "study/stress/stress_run.h"
 #include "study/sweep/pareto.h"
@@ -185,6 +186,19 @@ struct BenchCommand {
   bool scaling = false, list = false;
 };
 
+struct ExplainCommand {
+  CommonOptions common;
+  std::vector<std::string> scenes, switches; // of --switch; none: chosen for each scene
+  std::string suite;                         // empty: none
+  bool allMaterials = false;
+};
+
+struct WorstCommand {
+  CommonOptions common;
+  std::string scene;
+  explain::WorstOptions options;
+};
+
 struct StressCommand {
   stress::Options options;
   std::string at;           // one input by hand; empty: none
@@ -297,11 +311,12 @@ struct HistoryPageCommand {
 using HistoryCommand = std::variant<HistoryAddCommand, HistoryRebuildCommand, HistoryShowCommand, HistoryBlameCommand,
                                     HistoryStepCommand, HistoryGcCommand, HistoryBaselineCommand, HistoryPageCommand>;
 
-using Invocation = std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand,
-                                ListTermsCommand, FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand,
-                                FitCommand, BenchCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand,
-                                ExportCommand, CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand,
-                                VersionCommand, GuideCommand, HistoryCommand, ContractCommand, CalibrateCommand>;
+using Invocation =
+    std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,
+                 FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand,
+                 ExplainCommand, WorstCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand, ExportCommand,
+                 CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand,
+                 HistoryCommand, ContractCommand, CalibrateCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
@@ -335,6 +350,8 @@ int runBudgetCheckCommand(const BudgetCheckCommand& command);
 int runFitCommand(const FitCommand& command);
 int runPlotCommand(const PlotCommand& command);
 int runBenchCommand(const BenchCommand& command, const std::string& commandLine);
+int runExplainCommand(const ExplainCommand& command, const std::string& commandLine);
+int runWorstCommand(const WorstCommand& command, const std::string& commandLine);
 int runStressCommand(const StressCommand& command);
 int runBakeCommand(const BakeCommand& command);
 int runDevicesCommand(const DevicesCommand& command);

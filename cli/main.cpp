@@ -54,6 +54,8 @@ int run(int argc, char** argv) {
                                [](const BudgetCheckCommand& c) { return runBudgetCheckCommand(c); },
                                [](const FitCommand& c) { return runFitCommand(c); },
                                [&](const BenchCommand& c) { return runBenchCommand(c, line); },
+                               [&](const ExplainCommand& c) { return runExplainCommand(c, line); },
+                               [&](const WorstCommand& c) { return runWorstCommand(c, line); },
                                [](const StressCommand& c) { return runStressCommand(c); },
                                [](const BakeCommand& c) { return runBakeCommand(c); },
                                [](const DevicesCommand& c) { return runDevicesCommand(c); },

@@ -23,6 +23,18 @@ f64::MobileMaterial packed(const paths::EnvBrdfMaterial& material, double roughn
   return m;
 }
 
+// As the overrides of material quality have it.
+paths::EnvBrdfMaterial overridden(paths::EnvBrdfMaterial material, const Options& options) {
+  if (options.nonmetal) {
+    material.metallic = 0;
+    material.dielectric = glm::dvec3(0.04);
+    material.dielectricF90 = 1;
+    material.nonmetal = true;
+  }
+  material.fullyRough |= options.fullyRough;
+  return material;
+}
+
 const char* describe(EnvironmentBrdf brdf) {
   switch (brdf) {
   case EnvironmentBrdf::karis2014:
@@ -53,7 +65,8 @@ paths::EnvBrdf::AB ApproximateBrdf::at(double roughness, double NoV) const {
   return {scaleAndBias.x, scaleAndBias.y};
 }
 
-glm::dvec3 ApproximateBrdf::once(const paths::EnvBrdfMaterial& material, double NoV) const {
+glm::dvec3 ApproximateBrdf::once(const paths::EnvBrdfMaterial& given, double NoV) const {
+  const paths::EnvBrdfMaterial material = overridden(given, m_options);
   const double floored = std::max(material.roughness, static_cast<double>(m_options.roughnessFloor));
   const f64::MobileShadingModelContext context =
       f64::initShadingModelContext(static_cast<int>(m_options.environmentBrdf), material.nonmetal, material.fullyRough,
@@ -61,14 +74,16 @@ glm::dvec3 ApproximateBrdf::once(const paths::EnvBrdfMaterial& material, double 
   return material.fullyRough ? 0.45 * toGlm(context.SpecPreEnvBrdf) : toGlm(context.SpecularColor);
 }
 
-glm::dvec3 ApproximateBrdf::multiple(const paths::EnvBrdfMaterial& material, double NoV) const {
+glm::dvec3 ApproximateBrdf::multiple(const paths::EnvBrdfMaterial& given, double NoV) const {
+  const paths::EnvBrdfMaterial material = overridden(given, m_options);
   if (m_options.environmentBrdf != EnvironmentBrdf::refit || material.fullyRough) return glm::dvec3(0);
   return toGlm(f64::initShadingModelContext(f64::kEnvironmentBrdfRefit, material.nonmetal, false,
                                             packed(material, material.roughness), NoV)
                    .lobe.multiple);
 }
 
-std::string ApproximateBrdf::form(const paths::EnvBrdfMaterial& material) const {
+std::string ApproximateBrdf::form(const paths::EnvBrdfMaterial& given) const {
+  const paths::EnvBrdfMaterial material = overridden(given, m_options);
   return material.fullyRough ? "fully rough" : material.nonmetal ? "nonmetal" : "general";
 }
 

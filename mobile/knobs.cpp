@@ -8,7 +8,7 @@ namespace parity::mobile {
 
 namespace {
 
-static_assert(base::memberCount<Options>() == 24 && base::memberCount<Mixing>() == 3, "a new member needs a row");
+static_assert(base::memberCount<Options>() == 27 && base::memberCount<Mixing>() == 3, "a new member needs a row");
 
 constexpr const char* kPresets = "set by the preset";
 
@@ -111,6 +111,23 @@ void addLook(base::KnobTable<Options>& t) {
       .otherwise(kPresets)
       .costs(KnobStage::shading)
       .needsScene("diffuse transmission");
+  t.flag<&Options::fullyRough>("mobile-fully-rough",
+                               "Mobile path: every material is fully rough, as by --fully-rough '*'")
+      .titled("mobile fully rough")
+      .costs(KnobStage::shading)
+      .noOption();
+  t.flag<&Options::nonmetal>("mobile-nonmetal",
+                             "Mobile path: shade every material as a nonmetal, as an override of quality "
+                             "does")
+      .titled("mobile nonmetal")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading);
+  t.flag<&Options::parallax>("mobile-parallax",
+                             "Mobile path: correct reflections of baked captures by the captures' boxes")
+      .titled("mobile parallax")
+      .otherwise(kPresets)
+      .costs(KnobStage::shading)
+      .needsScene("environment capture");
   t.flag<&Options::localLights>("mobile-local-lights", "Mobile path: shade up to four local lights for each object")
       .titled("mobile local lights")
       .otherwise(kPresets)

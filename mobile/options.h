@@ -78,6 +78,11 @@ struct Options {
   IridescenceForm iridescence = IridescenceForm::none; // nor thin films
   TransmissionForm transmission = TransmissionForm::alpha;
   DiffuseTransmissionForm diffuseTransmission = DiffuseTransmissionForm::none;
+  // Unreal Engine's overrides of material quality: every material as fully rough (no specular light, no fetch of the
+  // environment, no further lobes), or as a nonmetal (F0 .04).
+  bool fullyRough = false, nonmetal = false;
+  // Reflections of baked captures are those of the walls of the capture's box, as the high-end path has them.
+  bool parallax = false;
   bool localLights = true;          // up to four an object; false: all are baked
   bool spotShadow = false;          // of the one spot light that is the brightest (mobile/light_choice.h)
   float spotShadowSharpen = 1;      // about the middle of its soft edge, 1 to 8 (sharpenedShadow)

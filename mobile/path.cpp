@@ -111,7 +111,9 @@ public:
     if (formulaOf(own.environmentBrdf)) return nullptr; // only its shader knows it
     return std::make_unique<ApproximateBrdf>(own);
   }
-  std::vector<std::string> environmentBrdfKnobs() const override { return {"mobile-preset", "mobile-roughness-floor"}; }
+  std::vector<std::string> environmentBrdfKnobs() const override {
+    return {"mobile-preset", "mobile-roughness-floor", "mobile-fully-rough", "mobile-nonmetal"};
+  }
 
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Inputs& inputs,
                                                 const paths::Options& options) const override {
@@ -122,6 +124,7 @@ public:
                       .textures = inputs.textures,
                       .baked = bakedOf(inputs),
                       .terms = inputs.terms,
+                      .wide = inputs.wide,
                       .view = inputs.intermediate,
                       .compilation = inputs.compilation,
                       .expectedPixels = inputs.expectedPixels};
@@ -145,7 +148,8 @@ public:
   std::vector<std::string> notesOn(const scenes::Material& m, const paths::Options& options) const override {
     const Options& own = options.of<Options>();
     std::vector<std::string> notes;
-    if (m.fullyRough) notes.emplace_back("fully rough: mobile has no specular light and no environment fetch");
+    const bool fullyRough = m.fullyRough || own.fullyRough;
+    if (fullyRough) notes.emplace_back("fully rough: mobile has no specular light and no environment fetch");
     const std::uint32_t dropped = droppedLobes(m, options), shown = gpu::lobesOf(m) & ~dropped;
     for (const auto& [feature, lobe] : gpu::kLobeFeatures)
       if ((dropped & feature) != 0) notes.push_back(fmt::format("mobile drops the {}", lobe));
@@ -154,13 +158,13 @@ public:
         (own.coat == CoatForm::ue4 && (shown & gpu::kFeatureCoat) != 0) || (shown & gpu::kFeatureIridescence) != 0;
     const bool isKaris =
         own.environmentBrdf == EnvironmentBrdf::karis2014 || own.environmentBrdf == EnvironmentBrdf::ue4;
-    if (!m.fullyRough && m.isNonmetal() && isKaris && !changesF0)
+    if (!fullyRough && (m.isNonmetal() || own.nonmetal) && isKaris && !changesF0)
       notes.emplace_back("nonmetal: mobile uses EnvBRDFApproxNonmetal");
     return notes;
   }
   std::uint32_t droppedLobes(const scenes::Material& m, const paths::Options& options) const override {
     const Options& own = options.of<Options>();
-    return gpu::lobesOf(m) & (m.fullyRough ? gpu::kFeatureLobes : ~shownLobes(own));
+    return gpu::lobesOf(m) & (m.fullyRough || own.fullyRough ? gpu::kFeatureLobes : ~shownLobes(own));
   }
   std::string describeLight(const paths::Options& options, bool hasCaptures) const override {
     const CaptureScale scale = captureScaleOf(options.of<Options>(), hasCaptures);

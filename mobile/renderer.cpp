@@ -13,6 +13,8 @@
 #include "mobile_shaders/mobile_fp32.comp.h"
 #include "mobile_shaders/mobile_lobes_fp16.comp.h"
 #include "mobile_shaders/mobile_lobes_fp32.comp.h"
+#include "mobile_shaders/mobile_wide_fp16.comp.h"
+#include "mobile_shaders/mobile_wide_fp32.comp.h"
 #include "scenes/brightest_light.h"
 #include "shading/shading.h"
 
@@ -51,6 +53,9 @@ constexpr Mixing kEngineMixing;
 static_assert(kEngineMixing.begin == numbers::kMixingBegin && kEngineMixing.end == numbers::kMixingEnd &&
               kEngineMixing.largest == numbers::kMixingLargest);
 
+// The shader's kKnobWords with PARITY_WIDE: the constants, at the head of pathData.
+constexpr std::size_t kKnobWords = 19;
+
 // Bits of the shader's kShadowMaps.
 constexpr std::uint32_t kShadowOfSpot = 1, kShadowOfSun = 2;
 
@@ -74,7 +79,10 @@ std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t vie
           static_cast<std::uint32_t>(options.anisotropy),
           static_cast<std::uint32_t>(options.iridescence),
           static_cast<std::uint32_t>(options.transmission),
-          static_cast<std::uint32_t>(options.diffuseTransmission)};
+          static_cast<std::uint32_t>(options.diffuseTransmission),
+          options.fullyRough ? 1u : 0u,
+          options.nonmetal ? 1u : 0u,
+          options.parallax ? 1u : 0u};
 }
 
 // kBaked... bits of what is read.
@@ -193,23 +201,25 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   if (inputs.baked) program.numbers[gpu::kPathAverageBrightness].y = inputs.baked->transitionScale;
   program.numbers[gpu::kPathShadows] = shadowNumbersOf(options);
   const std::uint32_t baked = bakedPartsOf(inputs, scene, sun.has_value());
-  m_samplers = {.environment = inputs.environment != nullptr,
-                .shadowMap = m_shadows != nullptr,
-                .lightmap = (baked & gpu::kBakedLightmap) != 0,
-                .sunShadow = (baked & gpu::kBakedSunShadow) != 0,
-                .coat = options.coat != CoatForm::none,
-                .sheen = options.sheen != SheenForm::none,
-                .anisotropy = options.anisotropy != AnisotropyForm::none,
-                .iridescence = options.iridescence != IridescenceForm::none,
-                .transmission = options.transmission != TransmissionForm::none,
-                .thickness = options.transmission == TransmissionForm::refracted ||
-                             options.transmission == TransmissionForm::mixed,
-                .diffuseTransmission = options.diffuseTransmission != DiffuseTransmissionForm::none,
-                .backdrop =
-                    options.transmission == TransmissionForm::alpha || options.transmission == TransmissionForm::mixed,
-                .coatNormal = options.coat == CoatForm::refit ||
-                              (options.coat != CoatForm::none && scene.specularAa() == gpu::SpecularAa::toksvig),
-                .normalVariance = scene.specularAa() == gpu::SpecularAa::toksvig};
+  const bool shines = !options.fullyRough; // else there is neither reflection nor further lobe
+  m_samplers = {
+      .environment = inputs.environment != nullptr && shines,
+      .shadowMap = m_shadows != nullptr,
+      .lightmap = (baked & gpu::kBakedLightmap) != 0,
+      .sunShadow = (baked & gpu::kBakedSunShadow) != 0,
+      .coat = shines && options.coat != CoatForm::none,
+      .sheen = shines && options.sheen != SheenForm::none,
+      .anisotropy = shines && options.anisotropy != AnisotropyForm::none,
+      .iridescence = shines && options.iridescence != IridescenceForm::none,
+      .transmission = shines && options.transmission != TransmissionForm::none,
+      .thickness = shines && (options.transmission == TransmissionForm::refracted ||
+                              options.transmission == TransmissionForm::mixed),
+      .diffuseTransmission = shines && options.diffuseTransmission != DiffuseTransmissionForm::none,
+      .backdrop = shines &&
+                  (options.transmission == TransmissionForm::alpha || options.transmission == TransmissionForm::mixed),
+      .coatNormal = shines && (options.coat == CoatForm::refit ||
+                               (options.coat != CoatForm::none && scene.specularAa() == gpu::SpecularAa::toksvig)),
+      .normalVariance = scene.specularAa() == gpu::SpecularAa::toksvig};
   m_readsBackdrop = m_samplers.backdrop && (scene.lobes() & gpu::kFeatureTransmission) != 0;
   program.constants = constantsOf(options, inputs.view, (spot ? kShadowOfSpot : 0) | (hasSunShadow ? kShadowOfSun : 0),
                                   baked, gpu::falloffsOf(lights));
@@ -217,6 +227,15 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                                             (options.spotShadow && options.localLights ? kShadowOfSpot : 0) |
                                                 (options.sunShadow ? kShadowOfSun : 0),
                                             baked, gpu::kFalloffsAll);
+  if (inputs.wide && !own) {
+    program.spirv = program.spirvOfLobes =
+        precision == Precision::fp16 ? gpu::Spirv(kMobileWideFp16Comp) : gpu::Spirv(kMobileWideFp32Comp);
+    assert(program.constants.size() == kKnobWords);
+    program.pathData.insert(program.pathData.begin(), program.constants.begin(), program.constants.end());
+    program.constants.clear();
+    program.everySceneConstants.clear();
+    program.asksForCounts = true;
+  }
   program.terms = inputs.terms;
   program.premultiplied = true;
   program.expectedPixels = inputs.expectedPixels;

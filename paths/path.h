@@ -70,6 +70,7 @@ struct Inputs {
   const gpu::ShadowOptions& shadowMaps;
   bool terms = false;
   std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: what to leave out, of a path that hidesLobes
+  bool wide = false;                // one program for any of the path's options, where the path has such
   std::uint32_t intermediate = 0;   // place in Path::intermediates(); 0: the lit colour
   gpu::Compilation compilation = {};
   std::uint64_t expectedPixels = 0; // that this run will shade by the renderer

@@ -203,7 +203,7 @@ struct ShadingPass::Impl {
   }
 
   std::vector<std::uint32_t> constantsOf(const Permutation& permutation) const {
-    const bool any = permutation.everyScene;
+    const bool any = permutation.everyScene || program.asksForCounts;
     const std::uint32_t vertexData = scene.vertexData();
     std::vector<std::uint32_t> constants = {permutation.textures,
                                             permutation.mayFeatures & ~program.hiddenFeatures,
@@ -217,7 +217,8 @@ struct ShadingPass::Impl {
                                                                   : 0u,
                                             program.terms ? 1u : 0u,
                                             any ? kVertexAll : vertexData | vertexData << kVertexMustShift};
-    const auto& own = any && !program.everySceneConstants.empty() ? program.everySceneConstants : program.constants;
+    const auto& own = permutation.everyScene && !program.everySceneConstants.empty() ? program.everySceneConstants
+                                                                                     : program.constants;
     constants.insert(constants.end(), own.begin(), own.end());
     return constants;
   }
@@ -307,6 +308,9 @@ void ShadingPass::setLightColor(std::size_t light, const glm::vec3& color) {
   m_impl->lights.upload(std::as_bytes(std::span{&changed, 1}), light * sizeof(GpuLight));
 }
 void ShadingPass::setBackdrop(const Backdrop* backdrop) { m_impl->backdrop = backdrop; }
+std::vector<std::uint32_t> ShadingPass::exactConstants(const MaterialClass& c) const {
+  return m_impl->constantsOf({c.textures, c.features, c.features});
+}
 const std::vector<CompiledPermutation>& ShadingPass::compiled() const { return m_impl->compiled; }
 Spirv ShadingPass::spirv() const { return m_impl->program.spirv; }
 std::uint32_t ShadingPass::directionalCount() const { return m_impl->program.directionalCount; }

@@ -64,6 +64,7 @@ struct PathProgram {
   std::vector<std::uint32_t> constants;           // the path's own specialization constants, from kConstantPath
   std::uint32_t hiddenFeatures = 0;               // kFeature... bits that materials are shaded without
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same
+  bool asksForCounts = false; // at run time, as permutations of every scene do: for lights, environment and vertex data
   bool terms = false;
   std::size_t planesOfLobes = shading::kTermCount; // that spirvOfLobes writes where it writes terms
   bool premultiplied = false;                      // the shader multiplies colour and terms by the opacity
@@ -100,6 +101,8 @@ public:
   // pass or be taken off.
   void setBackdrop(const Backdrop* backdrop);
 
+  // All specialization constants of the permutation that is made for this class alone; nothing is compiled.
+  std::vector<std::uint32_t> exactConstants(const MaterialClass& materialClass) const;
   // In order of their first use.
   const std::vector<CompiledPermutation>& compiled() const;
   Spirv spirv() const;

@@ -8,10 +8,7 @@
 
 namespace parity::job {
 
-namespace {
-
-report::PermutationCost countOrRecall(const Context& context, gpu::Spirv spirv,
-                                      const std::vector<std::uint32_t>& constants) {
+report::PermutationCost costOf(const Context& context, gpu::Spirv spirv, const std::vector<std::uint32_t>& constants) {
   static_assert(std::is_trivially_copyable_v<report::PermutationCost>);
   const std::string key = "costs-" + base::Hasher()
                                          .add(context.buildId())
@@ -30,8 +27,6 @@ report::PermutationCost countOrRecall(const Context& context, gpu::Spirv spirv,
   return cost;
 }
 
-} // namespace
-
 std::vector<report::PermutationResult> describePermutations(Context& context, const std::string& path,
                                                             const paths::Renderer& renderer) {
   const base::Stopwatch watch(&context.timings(), "shader costs");
@@ -46,7 +41,7 @@ std::vector<report::PermutationResult> describePermutations(Context& context, co
                   compiled[i].entries,
                   renderer.countSamplers(permutation),
                   std::nullopt};
-    if (context.settings().costs) results[i].cost = countOrRecall(context, pass.spirv(), compiled[i].constants);
+    if (context.settings().costs) results[i].cost = costOf(context, pass.spirv(), compiled[i].constants);
   });
   return results;
 }

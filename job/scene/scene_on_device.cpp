@@ -109,6 +109,7 @@ std::unique_ptr<paths::Renderer> SceneOnDevice::makeRenderer(const paths::Path& 
                             .shadowMaps = m_settings.shadowMaps,
                             .terms = wish.terms,
                             .hiddenFeatures = wish.hiddenFeatures,
+                            .wide = wish.wide,
                             .intermediate = wish.intermediate,
                             .compilation = {wish.budget, &m_context.pipelines()},
                             .expectedPixels = wish.expectedPixels,

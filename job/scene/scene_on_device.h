@@ -19,6 +19,7 @@ public:
 
   struct RendererWish {
     bool terms = false;
+    bool wide = false;             // one program for many options, where the path has such
     bool originalTextures = false; // although the path compresses them
     std::uint32_t intermediate = 0;
     std::uint32_t hiddenFeatures = 0; // lobes to leave out

@@ -125,7 +125,7 @@ void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
 void addLocalLights(inout BasePass pass, Shaded s, Point p) {
   real3 sum = real3(R(0.0));
   for (uint k = 0u; k < kLightsPerObject; ++k) {
-    uint index = pathData[p.instance * kLightsPerObject + k];
+    uint index = pathData[kKnobWords + p.instance * kLightsPerObject + k];
     if (index == kNoLight) break;
     GpuLight light = lights[index];
     MobileLocalLight seen =

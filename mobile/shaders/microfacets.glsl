@@ -2,7 +2,9 @@
 // materials have neither.
 
 // Whether some material of the permutation may show the lobe.
-bool mayShow(uint feature) { return (kMayFeatures & feature) != 0u && (kMustFeatures & kFeatureFullyRough) == 0u; }
+bool mayShow(uint feature) {
+  return (kMayFeatures & feature) != 0u && (kMustFeatures & kFeatureFullyRough) == 0u && kForceFullyRough == 0u;
+}
 bool showsAnisotropy() { return kAnisotropy != kAnisotropyNone && mayShow(kFeatureAnisotropy); }
 bool showsFilm() { return kIridescence != kIridescenceNone && mayShow(kFeatureIridescence); }
 

@@ -15,7 +15,31 @@
 #include "shading/tinted_sky.glsl"
 #include "shading/sky_sh.glsl"
 
-// The knobs of a preset (mobile/options.h).
+// The knobs of a preset (mobile/options.h): specialization constants, or with PARITY_WIDE data, so that one program serves
+// every set of them.
+#ifdef PARITY_WIDE
+const uint kKnobWords = 19u; // at the head of pathData, in the order of the constants
+#define kEnvironmentBrdf int(pathData[0])
+#define kSun int(pathData[1])
+#define kCaptureScale int(pathData[2])
+#define kSkyForm int(pathData[3])
+#define kRgbmCapture pathData[4]
+#define kRoughnessFloor uintBitsToFloat(pathData[5])
+#define kView pathData[6]
+#define kShadowMaps pathData[7]
+#define kBaked pathData[8]
+#define kFalloffs pathData[9]
+#define kCoat int(pathData[10])
+#define kSheen int(pathData[11])
+#define kAnisotropy int(pathData[12])
+#define kIridescence int(pathData[13])
+#define kTransmission int(pathData[14])
+#define kDiffuseTransmission int(pathData[15])
+#define kForceFullyRough pathData[16]
+#define kForceNonmetal pathData[17]
+#define kParallax pathData[18]
+#else
+const uint kKnobWords = 0u;
 layout(constant_id = 8) const int kEnvironmentBrdf = 0; // kEnvironmentBrdf... of shading/mobile_base_pass.glsl
 layout(constant_id = 9) const int kSun = 0;             // kSun...
 layout(constant_id = 10) const int kCaptureScale = 0;   // kCaptureScale...
@@ -32,11 +56,16 @@ layout(constant_id = 20) const int kAnisotropy = 0;   // kAnisotropy... of shadi
 layout(constant_id = 21) const int kIridescence = 0;  // kIridescence...
 layout(constant_id = 22) const int kTransmission = 0; // kTransmission... of shading/mobile_transmission.glsl
 layout(constant_id = 23) const int kDiffuseTransmission = 0; // kDiffuseTransmission...
+layout(constant_id = 24) const uint kForceFullyRough = 0u;
+layout(constant_id = 25) const uint kForceNonmetal = 0u;
+layout(constant_id = 26) const uint kParallax = 0u;
+#endif
 #include "gpu/shaders/baked.glsl"
 #include "gpu/shaders/local_light.glsl"
 #include "gpu/shaders/shadow_map.glsl"
 #include "mobile/shaders/shadow_maps.glsl"
 
+vec3 readFrom = vec3(0.0); // the pixel's position: where captures are read from
 vec3 shown = vec3(0.0);
 void show(uint view, real3 value) {
   if (kView == view) shown = vec3(value);
@@ -100,6 +129,11 @@ MobileMaterial makeMaterial(Resolved r) {
   m.DielectricSpecular = real3(r.F0);
   m.F90 = real(r.F90);
   m.Roughness = real(kRoughnessFloor > 0.0 ? max(kRoughnessFloor, r.roughness) : r.roughness);
+  if (kForceNonmetal != 0u) { // NONMETAL of the base pass
+    m.Metallic = R(0.0);
+    m.DielectricSpecular = real3(R(0.04));
+    m.F90 = R(1.0);
+  }
   return m;
 }
 
@@ -142,8 +176,12 @@ float averageBrightnessOf(uint capture) {
 
 MixingRange mixingOfView() { return MixingRange(view.path[kPathMixing].x, view.path[kPathMixing].y, view.path[kPathMixing].z); }
 
-// One fetch of the capture, trilinear, from one lobe to one three times as wide.
+// One fetch of the capture, trilinear, from one lobe to one three times as wide; with kParallax of what is seen from here on
+// the walls of the capture's box.
 real3 fetchCapture(vec3 direction, real mip, uint capture) {
+  if (kParallax != 0u && (kBaked & kBakedCaptures) != 0u)
+    direction = boxParallax(readFrom, direction, captures[capture].boxLower.xyz, captures[capture].boxUpper.xyz,
+                            captures[capture].position.xyz);
   vec4 texel = textureLod(prefilteredEnvironment, vec4(direction, float(capture)), float(mip));
   if (kRgbmCapture != 0u) return decodeRgbm(real3(texel.xyz), real(texel.w));
   return real3(texel.xyz);
@@ -199,15 +237,20 @@ struct Shaded {
   bool fullyRough, onlyNonmetals;
 };
 
+#ifdef PARITY_WIDE
+#define kIsRefit (kEnvironmentBrdf == kEnvironmentBrdfRefit)
+#define kSkyAtOnce (kIsRefit && kCaptureScale == kCaptureScaleOcclusion)
+#else
 const bool kIsRefit = kEnvironmentBrdf == kEnvironmentBrdfRefit;
 // Reflected and diffuse light of the sky are multiplied by skyInOcclusion together, and saturate once: nine operations fewer.
 const bool kSkyAtOnce = kIsRefit && kCaptureScale == kCaptureScaleOcclusion;
+#endif
 
 Shaded makeShaded(Point p, Resolved r) {
   Shaded s;
-  s.fullyRough = hasFeature(kFeatureFullyRough, p.material);
+  s.fullyRough = kForceFullyRough != 0u || hasFeature(kFeatureFullyRough, p.material);
   // Nonmetals of a bin of their own: fewer operations, the same colour.
-  s.onlyNonmetals = (kMustFeatures & kFeatureNonmetal) != 0u;
+  s.onlyNonmetals = kForceNonmetal != 0u || (kMustFeatures & kFeatureNonmetal) != 0u;
 #ifdef PARITY_LOBES
   bool dimsSpecular = kCoat == kCoatUE4 && showsCoat(); // its Specular changes with the view
   if (dimsSpecular || showsFilm()) s.onlyNonmetals = false;
@@ -221,7 +264,7 @@ Shaded makeShaded(Point p, Resolved r) {
   s.capture = captureOf(p);
   s.frame = mobileFrame(r.normal, p.V);
   s.NoV = viewCosine(kEnvironmentBrdf, s.frame);
-  bool nonmetal = hasFeature(kFeatureNonmetal, p.material);
+  bool nonmetal = kForceNonmetal != 0u || hasFeature(kFeatureNonmetal, p.material);
 #ifdef PARITY_LOBES
   s.microfacets = makeMicrofacets(r, s.GBuffer, s.frame, s.NoV, s.fullyRough);
   s.layers = makeLayers(r, s.GBuffer, s.frame, s.NoV, s.fullyRough);
@@ -280,6 +323,7 @@ void main() {
   if (local >= count) return;
   uint i = first + local;
   Point p = makePoint(i);
+  readFrom = p.position;
   Resolved r = resolveMaterial(p, i);
   BasePass pass;
   pass.Color = real3(R(0.0));

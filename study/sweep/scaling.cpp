@@ -94,7 +94,7 @@ StageTimes measurePoint(const std::filesystem::path& file, job::Settings setting
     buffers.textures().require(all);
   });
   job::SceneOnDevice scene(context, prepared, settings, paths);
-  const job::ViewSurfaces surfaces(scene, settings, scenes::makeCamera(prepared.scene, {}, 1));
+  const job::ViewSurfaces surfaces(device, scene, settings, scenes::makeCamera(prepared.scene, {}, 1));
   times.surface = medianMs(rounds, [&] { surfaces.rasteriseAgain(); });
 
   std::vector<base::Image> pictures;

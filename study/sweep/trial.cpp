@@ -13,6 +13,7 @@
 #include "compare/metrics/measure.h"
 #include "job/scene/permutation_costs.h"
 #include "job/scene/reference_path.h"
+#include "job/scene/scene_content.h"
 #include "job/view/displayed.h"
 #include "job/view/view_surfaces.h"
 #include "scenes/view.h"
@@ -35,27 +36,6 @@ double sumOf(const base::Timings& timings, std::string_view prefix) {
   for (const auto& [stage, timeMs] : timings.stages())
     if (stage.starts_with(prefix)) sum += timeMs;
   return sum;
-}
-
-// Names of what the scene has, of what variants may need.
-std::set<std::string> haves(const job::PreparedScene& prepared) {
-  std::set<std::string> all = {""};
-  for (const auto& [path, light] : prepared.lightOfPath) {
-    if (light.environment || (prepared.baked && !prepared.baked->captures.empty())) all.insert("environment");
-    for (const scenes::Light& each : light.lights)
-      all.insert(each.kind == scenes::LightKind::directional ? "directional light" : "local light");
-  }
-  for (const scenes::Instance& instance : prepared.scene.instances) {
-    const scenes::Material& material = prepared.scene.materials[prepared.scene.meshes[instance.mesh].material];
-    if (gpu::classify(material).textures != 0) all.insert("texture");
-    if (material.hasCoat()) all.insert("clear coat");
-    if (material.hasSheen()) all.insert("sheen");
-    if (material.hasAnisotropy()) all.insert("anisotropy");
-    if (material.hasIridescence()) all.insert("iridescence");
-    if (material.hasTransmission()) all.insert("transmission");
-    if (material.hasDiffuseTransmission()) all.insert("diffuse transmission");
-  }
-  return all;
 }
 
 base::PixelList coveredPixels(const std::vector<base::PixelList>& coverage) {
@@ -101,7 +81,7 @@ public:
       : m_context(context), m_options(options), m_progress(progress), m_paths(pathsFor(request.settings)),
         m_prepared(job::prepareScene(context, request, m_paths)),
         m_scene(context, m_prepared, m_prepared.settings, m_paths),
-        m_surfaces(m_scene, m_prepared.settings,
+        m_surfaces(context.device(), m_scene, m_prepared.settings,
                    scenes::makeCamera(m_prepared.scene, request.views.front(),
                                       static_cast<float>(m_prepared.settings.width) /
                                           static_cast<float>(m_prepared.settings.height))) {
@@ -144,7 +124,7 @@ private:
 
   // Live settings, but for those that the scene does not need.
   void choose() {
-    const std::set<std::string> has = haves(m_prepared);
+    const std::set<std::string> has = job::contentOf(m_prepared);
     std::set<std::string> skipped;
     const std::vector<Variant> all = makeVariants(m_prepared.settings);
     for (const std::string& glob : m_options.settings)

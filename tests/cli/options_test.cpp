@@ -56,6 +56,7 @@ const std::vector<Probe> kProbes = {
     {{"--mobile-iridescence", "tint"}, "lobes"},
     {{"--mobile-transmission", "refracted"}, "lobes"},
     {{"--mobile-diffuse-transmission", "lambert"}, "lobes"},
+    {{"--mobile-nonmetal"}},
     {{"--capture", "fp16"}},
     {{"--direct-lobe", "d-approx"}, "spheres", "mobile", kSun},
     {{"--no-mobile-local-lights"}, "lamps"},

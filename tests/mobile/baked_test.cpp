@@ -1,5 +1,6 @@
 // Baked light of the mobile path: the base pass's order, with the formulas of shading/ on the CPU at equal precision.
 #include <numbers>
+#include <set>
 
 #include "support/baked_quads.h"
 
@@ -271,6 +272,38 @@ TEST_F(BakedTest, AnObjectTakesTheCaptureThatItNamesInTheScaleOfTheLightmap) {
         const auto scale = static_cast<float>(isFull ? w : 1 - s + w * s);
         tests::expectNear(pixel[Term::skySpecular], radiance[capture] * scale * static_cast<float>(E.x), 1e-3f, preset);
       }
+    }
+}
+
+// With --mobile-parallax the wall of the capture's box that the reflection hits is read; the capture has six faces of
+// their own colour.
+TEST_F(BakedTest, ParallaxShowsTheWallThatTheReflectionHits) {
+  const glm::vec3 colors[6] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
+  const gpu::EnvironmentMaps environment =
+      tests::makeCubes(device(), 1, 1, [&](std::uint32_t, std::uint32_t face) { return colors[face]; });
+  const glm::vec3 origin(0.0625f, 0.03125f, 0.0625f), lower(-2, -2, -1), upper(2, 2, 0.515625f);
+  const gpu::GpuCapture capture{glm::vec4(origin, 4), glm::vec4(lower, 1), glm::vec4(upper, 0)};
+  const gpu::BakedContent content{.captures = {&capture, 1}};
+  scenes::Scene scene = makeScene();
+  scene.materials[0].metallic = 1;
+  scene.materials[0].baseColor = glm::vec4(1);
+  for (const bool wide : {false, true})
+    for (const bool parallax : {false, true}) {
+      Options options = tests::inFp32("ue4-2020");
+      options.captureScale = CaptureScale::sky; // no lightmap scales it
+      options.parallax = parallax;
+      std::set<std::uint32_t> seen;
+      for (const ShadedPixel& pixel :
+           shade(scene, nullptr, &content, {.environment = &environment, .wide = wide}, options)) {
+        const glm::dvec3 wall(pixel.position.x, pixel.position.y, upper.z); // N = V = R = +Z
+        const std::uint32_t face = parallax ? tests::faceOf(wall - glm::dvec3(origin)) : 4;
+        seen.insert(face);
+        const glm::vec3 lit = pixel[Term::skySpecular], color = colors[face];
+        const float most = std::max({lit.x, lit.y, lit.z});
+        ASSERT_GT(most, 0);
+        tests::expectNear(lit / most, color, 1e-2f, "face");
+      }
+      EXPECT_EQ(seen.size(), parallax ? 5u : 1u);
     }
 }
 

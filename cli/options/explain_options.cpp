@@ -1,0 +1,48 @@
+// By CLI11, as command_line.cpp, which it serves.
+#include "cli/options/explain_options.h"
+
+#include "cli/options/option_parts.h"
+#include "study/explain/switches.h"
+
+namespace parity::cli {
+
+void addExplainOptions(CLI::App& app, RawExplainOptions& raw) {
+  ExplainCommand& explain = raw.explain;
+  explain.common.settings.width = explain.common.settings.height = 256;
+  app.add_option("scenes", explain.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
+      ->type_name(kSceneFile);
+  app.add_option("--suite", explain.suite, "Suite file (TOML): many scenes, with their views and light")
+      ->type_name(kFile)
+      ->group(kInputGroup)
+      ->excludes("scenes");
+  addOnlyOption(app, explain.common.only);
+  repeat(app.add_option("--switch", explain.switches,
+                        "A change of the mobile path to try, alone and with the others (repeatable, at most 7):\n"
+                        "formulas=PRESET, or any of its settings. Default: those of a list that help most"))
+      ->type_name("KNOB=VALUE")
+      ->group("Explain");
+  app.add_flag("--all", explain.allMaterials, "Also show materials that are within their limit")->group("Explain");
+  app.add_option("--json", explain.common.json, "Write all figures to this file; - for stdout, instead of the table")
+      ->type_name(kFile)
+      ->group("Output");
+  addKnobs(app, explain.common, raw.common, {"Scene", "Picture", "Paths"}, {"env", "costs"});
+  addViewKnobs(app, raw.common);
+  addEnvironments(app, raw.common);
+  addBudgetsOption(app, explain.common);
+  addRunOptions(app, explain.common, raw.common);
+}
+
+ExplainCommand settleExplain(const CLI::App& app, const RawExplainOptions& raw) {
+  ExplainCommand command = raw.explain;
+  const bool isSuite = !command.suite.empty();
+  if (command.scenes.empty() && !isSuite) throw CLI::RequiredError("explain: SCENE or --suite");
+  if (isSuite) requireNoneOfScene(raw.common);
+  settle(app, command.common, raw.common, isSuite);
+  requireSizeFits(command.common, kComparedPixelBytes);
+  if (command.switches.size() > explain::kMaxSwitches)
+    throw CLI::ValidationError("--switch", fmt::format("{} of them; at most {} are tried together",
+                                                       command.switches.size(), explain::kMaxSwitches));
+  return command;
+}
+
+} // namespace parity::cli
