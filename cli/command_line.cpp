@@ -227,7 +227,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
 
   RawExplainOptions rawExplain;
   CLI::App& explainApp = *app.add_subcommand(
-      "explain", "Find what would help each material: the best sets of changes of the mobile path, and what they cost");
+      "explain", "Find what would help each material: the best sets of changes, and what they cost");
   addExplainOptions(explainApp, rawExplain);
 
   RawWorstOptions rawWorst;

@@ -58,6 +58,10 @@ std::uint32_t shownLobes(const Options& options) {
          (options.diffuseTransmission != DiffuseTransmissionForm::none ? gpu::kFeatureDiffuseTransmission : 0u);
 }
 
+std::string nameIn(const std::vector<std::string>& names, auto enumerator) {
+  return names.at(static_cast<std::size_t>(enumerator));
+}
+
 // With notes on what casts no shadow.
 class PathRenderer final : public Renderer {
 public:
@@ -178,6 +182,43 @@ public:
                                              const paths::Options& options,
                                              const std::vector<std::uint64_t>& samples) const override {
     return mobile::countLightUse(scene, lights, options.of<Options>().localLights, samples);
+  }
+
+  // Forms of the preset refit, then shadows and storage, then the overrides of quality.
+  std::vector<Change> changes() const override {
+    std::vector<Change> all;
+    for (const std::string& name : presetNames()) {
+      const Options preset = presetByName(name);
+      all.push_back({.name = "formulas",
+                     .value = name,
+                     .words = "environment BRDF and direct lobe of " + name,
+                     .values = {{"environment-brdf", nameIn(environmentBrdfNames(), preset.environmentBrdf)},
+                                {"direct-lobe", nameIn(directLobeNames(), preset.directLobe)}},
+                     .proposed = name == "refit"});
+    }
+    const auto add = [&](const char* knob, const char* value, const char* words) -> Change& {
+      return all.emplace_back(Change{.name = knob, .value = value, .words = words, .values = {{knob, value}}});
+    };
+    add("capture-scale", "occlusion", "reflections scaled by occlusion alone");
+    add("sky-sh", "9", "nine SH coefficients of the sky");
+    add("mobile-parallax", "on", "parallax of baked captures");
+    add("mobile-coat", "refit", "clear coat of refit");
+    add("mobile-sheen", "fit", "sheen");
+    add("mobile-anisotropy", "bent", "anisotropy by a bent normal");
+    add("mobile-iridescence", "tint", "thin films as a tint");
+    add("mobile-transmission", "mixed", "glass with a refracted read");
+    add("mobile-diffuse-transmission", "lambert", "diffuse transmission");
+    add("mobile-local-lights", "on", "four local lights");
+    add("mobile-sun-shadow", "on", "shadow map of the sun").ofShadows = true;
+    add("mobile-spot-shadow", "on", "shadow map of the brightest spot light").ofShadows = true;
+    add("capture", "fp16", "reflections stored in 16-bit floats");
+    add("precision", "fp32", "fp32 in place of half");
+    add("mobile-roughness-floor", "0", "no floor of the roughness");
+    add("mobile-target", "rgba16f", "render target of 16-bit floats");
+    add("mobile-textures", "none", "textures as they are");
+    add("mobile-fully-rough", "on", "fully rough").cheapens = true;
+    add("mobile-nonmetal", "on", "nonmetal").cheapens = true;
+    return all;
   }
 
   // Every preset in both precisions; refit also where its capture costs no bits.

@@ -175,6 +175,16 @@ public:
     std::vector<std::pair<std::string, std::string>> values;
   };
   virtual std::vector<KnobSet> knobSets() const { return {}; }
+  // Changes that parity explain tries, alone and together.
+  struct Change {
+    std::string name, value;                                 // as a user writes them: "sky-sh", "9"
+    std::string words;                                       // "nine SH coefficients of the sky"
+    std::vector<std::pair<std::string, std::string>> values; // by id of the knob
+    bool proposed = true;                                    // tried where the user names none
+    bool cheapens = false;                                   // it is there to save time: no way to look alike
+    bool ofShadows = false;                                  // nothing without settings.shadows
+  };
+  virtual std::vector<Change> changes() const { return {}; }
   // Does again what a knob of the stage preparation prepares, and forgets it: for timing.
   virtual void prepareAgain(const std::string& /*knob*/, const Options&, const scenes::Environment&) const {}
 };

@@ -17,7 +17,7 @@ void addExplainOptions(CLI::App& app, RawExplainOptions& raw) {
       ->excludes("scenes");
   addOnlyOption(app, explain.common.only);
   repeat(app.add_option("--switch", explain.switches,
-                        "A change of the mobile path to try, alone and with the others (repeatable, at most 7):\n"
+                        "A change to try, alone and with the others (repeatable, at most 7):\n"
                         "formulas=PRESET, or any of its settings. Default: those of a list that help most"))
       ->type_name("KNOB=VALUE")
       ->group("Explain");

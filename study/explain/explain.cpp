@@ -24,11 +24,9 @@ namespace {
 using Program = SetRenderer::Program;
 
 job::PathChoice pathsFor(const job::Settings& settings) {
+  switchedPath(settings);
   job::PathChoice choice = job::pathsOf(settings);
   choice.truth = false;
-  if (choice.chosen.size() != 2 || choice.chosen[1]->name() != "mobile")
-    throw base::Error(base::ExitCode::usage, "--paths", fmt::format("{}", fmt::join(settings.pathNames, ",")),
-                      "explain turns switches of the mobile path against one other: 'highend,mobile'");
   return choice;
 }
 
@@ -176,10 +174,10 @@ private:
     m_tried.clear();
     const base::Stopwatch watch(nullptr, "");
     const SwitchMask sets = SwitchMask{1} << count();
-    // Sets that differ in the render target alone follow each other: those are shaded once.
+    // Sets that differ in one format of storage alone follow each other: those are shaded once.
     SwitchMask stored = 0;
     for (std::size_t i = 0; i < count(); ++i)
-      if (m_result.switches[i].name == "mobile-target") stored = SwitchMask{1} << i;
+      if (m_renderer.onlyStores(settings(), turned(SwitchMask{1} << i))) stored = SwitchMask{1} << i;
     std::vector<SwitchMask> order;
     for (SwitchMask mask = 0; mask < sets; ++mask)
       if ((mask & stored) == 0) {
@@ -230,9 +228,10 @@ private:
     const std::vector<std::vector<float>> errors = m_renderer.flipMaps(settings(), m_materials);
     for (const auto& [view, quantity] :
          {std::pair{"Roughness", "roughness"}, {"Metallic", "metallic"}, {"NoV", "N.V"}}) {
-      const base::Image values = m_renderer.intermediate(settings(), view);
+      const std::optional<base::Image> values = m_renderer.intermediate(settings(), view);
+      if (!values) continue;
       for (std::size_t i = 0; i < m_materials.size(); ++i) {
-        std::vector<RangeShare> shares = sharesOf(quantity, m_renderer.coverage()[m_materials[i]], values, errors[i]);
+        std::vector<RangeShare> shares = sharesOf(quantity, m_renderer.coverage()[m_materials[i]], *values, errors[i]);
         std::ranges::move(shares, std::back_inserter(m_result.materials[i].ranges));
       }
     }

@@ -6,7 +6,6 @@
 #include "job/knobs.h"
 #include "job/scene/permutation_costs.h"
 #include "job/view/material_swaps.h"
-#include "mobile/options.h"
 
 namespace parity::explain {
 
@@ -15,11 +14,11 @@ namespace {
 // As if each were shaded often: every class of materials gets its own program where programs are specialised.
 constexpr std::uint64_t kManyPixels = std::uint64_t{1} << 40;
 
-// What the shaded light depends on: every knob of the path but the format that it is stored in.
-std::string shadingKey(const job::Settings& settings, SetRenderer::Program program) {
-  std::string key = program == SetRenderer::Program::wide ? "wide" : "specialised";
+// What the shaded light depends on: every knob but those that only store it.
+std::string shadingKey(const job::Settings& settings, const paths::Path& path) {
+  std::string key = std::to_string(static_cast<int>(path.textureBlock(settings.options)));
   for (const base::KnobRow<job::Settings>& row : job::knobs().rows())
-    if (row.knob.id != "mobile-target") key += "\n" + row.knob.id + " " + row.text(settings);
+    if (row.knob.stage != base::KnobStage::storage) key += "\n" + row.knob.id + " " + row.text(settings);
   return key;
 }
 
@@ -39,6 +38,10 @@ SetRenderer::SetRenderer(job::Context& context, const job::PreparedScene& prepar
   m_light = job::expose(picture, settings.exposureEv);
 }
 
+bool SetRenderer::onlyStores(const job::Settings& a, const job::Settings& b) const {
+  return shadingKey(a, m_path) == shadingKey(b, m_path);
+}
+
 std::unique_ptr<paths::Renderer> SetRenderer::makeRenderer(const job::Settings& settings, Program program,
                                                            std::uint32_t intermediate) {
   job::SceneOnDevice::RendererWish wish{.intermediate = intermediate, .expectedPixels = kManyPixels};
@@ -51,7 +54,8 @@ std::unique_ptr<paths::Renderer> SetRenderer::makeRenderer(const job::Settings& 
 
 compare::SwapMeasurement SetRenderer::measure(const job::Settings& settings, Program program,
                                               const std::vector<std::size_t>& materials, bool maps) {
-  if (std::string key = shadingKey(settings, program); key != m_shadedKey) {
+  const char* const by = program == Program::wide ? "wide " : "specialised ";
+  if (std::string key = by + shadingKey(settings, m_path); key != m_shadedKey) {
     m_shaded = m_surfaces.shade(*makeRenderer(settings, program));
     m_shadedKey = std::move(key);
   }
@@ -84,9 +88,10 @@ std::vector<std::vector<float>> SetRenderer::flipMaps(const job::Settings& setti
   return measure(settings, Program::wide, materials, true).flip;
 }
 
-base::Image SetRenderer::intermediate(const job::Settings& settings, const std::string& name) {
-  const std::uint32_t place = paths::placeOf(m_path.intermediates(), name).value();
-  return m_surfaces.compose(m_surfaces.shade(*makeRenderer(settings, Program::wide, place)), std::nullopt);
+std::optional<base::Image> SetRenderer::intermediate(const job::Settings& settings, const std::string& name) {
+  const std::optional<std::uint32_t> place = paths::placeOf(m_path.intermediates(), name);
+  if (!place) return std::nullopt;
+  return m_surfaces.compose(m_surfaces.shade(*makeRenderer(settings, Program::wide, *place)), std::nullopt);
 }
 
 std::vector<Cost> SetRenderer::costs(const job::Settings& settings, const std::vector<std::size_t>& materials) {

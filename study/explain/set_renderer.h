@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,20 +18,24 @@ namespace parity::explain {
 
 class SetRenderer {
 public:
-  // scene: of `prepared`. settings: the first path's, and the picture's size. paths: the first, and the mobile path.
+  // scene: of `prepared`. settings: the first path's, and the picture's size. paths: the two.
   // All must outlive it.
   SetRenderer(job::Context& context, const job::PreparedScene& prepared, job::SceneOnDevice& scene,
               const job::Settings& settings, const job::PathChoice& paths, const scenes::Camera& camera);
 
   const std::vector<base::PixelList>& coverage() const { return m_coverage; } // a list for each material of the scene
 
+  // Whether the light of both is shaded alike, and only stored in other formats.
+  bool onlyStores(const job::Settings& a, const job::Settings& b) const;
+
   enum class Program { wide, specialised };
-  // Mean FLIP of each of these materials, by the mobile path with these settings.
+  // Mean FLIP of each of these materials, by the second path with these settings.
   std::vector<double> flip(const job::Settings& settings, Program program, const std::vector<std::size_t>& materials);
   // The same, pixel by pixel, in the order of each material's list.
   std::vector<std::vector<float>> flipMaps(const job::Settings& settings, const std::vector<std::size_t>& materials);
-  // An intermediate of the mobile path ("Roughness") by its first channel: a picture.
-  base::Image intermediate(const job::Settings& settings, const std::string& name);
+  // An intermediate of that path ("Roughness") by its first channel: a picture; nothing where the path has none of that
+  // name.
+  std::optional<base::Image> intermediate(const job::Settings& settings, const std::string& name);
   // What a pixel of each material costs by a program made for its class alone.
   std::vector<Cost> costs(const job::Settings& settings, const std::vector<std::size_t>& materials);
 
@@ -49,7 +54,7 @@ private:
   std::vector<base::PixelList> m_coverage;
   job::Displayed m_displayed; // the first path's picture
   base::Image m_light;        // the same as exposed
-  // The last set that was shaded: others that differ from it in the render target alone are not shaded again.
+  // The last set that was shaded: others that only store it otherwise are not shaded again.
   std::string m_shadedKey;
   std::vector<job::ViewSurfaces::Shaded> m_shaded;
 };

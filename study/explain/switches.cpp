@@ -1,70 +1,33 @@
 #include "study/explain/switches.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/text/nearest.h"
 #include "job/knobs.h"
-#include "mobile/options.h"
-#include "mobile/path.h"
+#include "job/paths.h"
 
 namespace parity::explain {
 
 namespace {
 
-constexpr const char* kFormulas = "formulas";
-
-struct Candidate {
-  const char *name, *value, *words;
-};
-// What there is to try. Forms of the preset refit, then storage, then overrides that make a material cheaper.
-constexpr Candidate kCandidates[] = {
-    {kFormulas, "refit", "environment BRDF and direct lobe of refit"},
-    {"capture-scale", "occlusion", "reflections scaled by occlusion alone"},
-    {"sky-sh", "9", "nine SH coefficients of the sky"},
-    {"mobile-parallax", "on", "parallax of baked captures"},
-    {"mobile-coat", "refit", "clear coat of refit"},
-    {"mobile-sheen", "fit", "sheen"},
-    {"mobile-anisotropy", "bent", "anisotropy by a bent normal"},
-    {"mobile-iridescence", "tint", "thin films as a tint"},
-    {"mobile-transmission", "mixed", "glass with a refracted read"},
-    {"mobile-diffuse-transmission", "lambert", "diffuse transmission"},
-    {"mobile-local-lights", "on", "four local lights"},
-    {"mobile-sun-shadow", "on", "shadow map of the sun"},
-    {"mobile-spot-shadow", "on", "shadow map of the brightest spot light"},
-    {"capture", "fp16", "reflections stored in 16-bit floats"},
-    {"precision", "fp32", "fp32 in place of half"},
-    {"mobile-roughness-floor", "0", "no floor of the roughness"},
-    {"mobile-target", "rgba16f", "render target of 16-bit floats"},
-    {"mobile-textures", "none", "textures as they are"},
-    {"mobile-fully-rough", "on", "fully rough"},
-    {"mobile-nonmetal", "on", "nonmetal"},
-};
-
-const base::KnobRow<job::Settings>* rowOf(const std::string& id) {
+const base::KnobRow<job::Settings>* rowOf(const paths::Path& path, const std::string& id) {
   const base::KnobRow<job::Settings>* row = job::knobs().find(id);
-  const std::string& path = mobile::path().name();
-  return row && std::ranges::count(row->knob.paths, path) > 0 ? row : nullptr;
+  return row && std::ranges::count(row->knob.paths, path.name()) > 0 ? row : nullptr;
 }
 
-Switch makeSwitch(const std::string& name, const std::string& value) {
-  Switch made{.name = name, .value = value, .words = {}, .needs = {}, .knobs = {{name, value}}};
-  if (name == kFormulas) {
-    const mobile::Options preset = mobile::presetByName(value);
-    const auto nameOf = [](const std::vector<std::string>& names, auto of) {
-      return names[static_cast<std::size_t>(of)];
-    };
-    made.knobs = {{"environment-brdf", nameOf(mobile::environmentBrdfNames(), preset.environmentBrdf)},
-                  {"direct-lobe", nameOf(mobile::directLobeNames(), preset.directLobe)}};
-  } else {
-    made.needs = rowOf(name)->knob.needsScene;
-    made.cheapens = name == "mobile-fully-rough" || name == "mobile-nonmetal";
-  }
-  const auto* known = std::ranges::find_if(
-      kCandidates, [&](const Candidate& each) { return each.name == name && each.value == value; });
-  made.words = known != std::end(kCandidates) ? known->words : name + " " + value;
+Switch switchOf(const paths::Path::Change& change) {
+  Switch made{.name = change.name,
+              .value = change.value,
+              .words = change.words,
+              .needs = {},
+              .knobs = change.values,
+              .cheapens = change.cheapens};
+  if (change.values.size() == 1) made.needs = job::knobs().find(change.values.front().first)->knob.needsScene;
   return made;
 }
 
@@ -78,13 +41,19 @@ bool changes(const Switch& each, const job::Settings& settings) {
 
 } // namespace
 
+const paths::Path& switchedPath(const job::Settings& settings) {
+  const job::PathChoice choice = job::pathsOf(settings);
+  if (choice.chosen.size() != 2 || choice.chosen[1]->changes().empty())
+    throw base::Error(base::ExitCode::usage, "--paths", fmt::format("{}", fmt::join(settings.pathNames, ",")),
+                      "explain turns switches of the second of two paths");
+  return *choice.chosen[1];
+}
+
 std::vector<Switch> proposedSwitches(const job::Settings& settings) {
   std::vector<Switch> proposed;
-  for (const Candidate& candidate : kCandidates) {
-    const std::string name = candidate.name;
-    // Without shadows the high-end path has none either.
-    if (name.ends_with("-shadow") && !settings.shadows) continue;
-    const Switch each = makeSwitch(name, candidate.value);
+  for (const paths::Path::Change& change : switchedPath(settings).changes()) {
+    if (!change.proposed || (change.ofShadows && !settings.shadows)) continue;
+    const Switch each = switchOf(change);
     try {
       if (changes(each, settings)) proposed.push_back(each);
     } catch (const base::Error&) { // does not go together with what was given
@@ -100,22 +69,30 @@ Switch parseSwitch(const std::string& text, const job::Settings& settings) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) throw refuse("is not KNOB=VALUE, such as sky-sh=9");
   const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
-  if (name == kFormulas) {
-    const std::vector<std::string>& presets = mobile::presetNames();
-    if (std::ranges::count(presets, value) == 0)
-      throw refuse(
-          fmt::format("'{}' is no preset of the mobile path; {}", value,
-                      base::describeNearest(value, std::vector<std::string_view>(presets.begin(), presets.end()))));
-  } else if (!rowOf(name)) {
-    std::vector<std::string_view> known = {kFormulas};
-    for (const base::KnobRow<job::Settings>& row : job::knobs().rows())
-      if (rowOf(row.knob.id)) known.push_back(row.knob.id);
-    throw refuse(
-        fmt::format("'{}' is no setting of the mobile path's pictures; {}", name, base::describeNearest(name, known)));
+  const paths::Path& path = switchedPath(settings);
+  std::optional<Switch> made;
+  std::vector<std::string> values, names; // of that name; of all
+  for (const paths::Path::Change& change : path.changes()) {
+    names.push_back(change.name);
+    if (change.name != name) continue;
+    values.push_back(change.value);
+    if (change.value == value) made = switchOf(change);
   }
-  const Switch made = makeSwitch(name, value);
-  if (!changes(made, settings)) throw refuse("is set already");
-  return made;
+  if (const auto* row = rowOf(path, name); !made && row)
+    made = switchOf({.name = name, .value = value, .words = row->knob.title + " " + value, .values = {{name, value}}});
+  if (!made) {
+    const bool isKnown = !values.empty();
+    if (!isKnown)
+      for (const base::KnobRow<job::Settings>& row : job::knobs().rows())
+        if (rowOf(path, row.knob.id)) names.push_back(row.knob.id);
+    const std::vector<std::string>& known = isKnown ? values : names;
+    throw refuse(fmt::format(
+        "'{}' is no {}; {}", isKnown ? value : name,
+        isKnown ? "value of " + name : "setting of the path '" + path.name() + "'",
+        base::describeNearest(isKnown ? value : name, std::vector<std::string_view>(known.begin(), known.end()))));
+  }
+  if (!changes(*made, settings)) throw refuse("is set already");
+  return *made;
 }
 
 job::Settings withSwitches(const job::Settings& settings, const std::vector<Switch>& switches, SwitchMask mask) {

@@ -1,4 +1,4 @@
-// The changes of the mobile path that `parity explain` tries in all combinations: one switch each.
+// The changes of a path that `parity explain` tries in all combinations: one switch each.
 #pragma once
 
 #include <string>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "job/settings.h"
+#include "paths/path.h"
 #include "study/explain/sets.h"
 
 namespace parity::explain {
@@ -23,12 +24,16 @@ struct Switch {
   std::string id() const { return name + "=" + value; }
 };
 
-// Of what there is to try, in its order, all that changes something of these settings: nearer forms first, then what
-// makes a material cheaper.
+// The second of the settings' two paths, whose switches are turned. Throws Error (usage) where it has none, or there
+// are others.
+const paths::Path& switchedPath(const job::Settings& settings);
+
+// Of what that path has to try, in its order, all that changes something of these settings: nearer forms first, then
+// what makes a material cheaper.
 std::vector<Switch> proposedSwitches(const job::Settings& settings);
 
-// "sky-sh=9"; "formulas=PRESET": its environment BRDF and its lobe of direct light. Throws Error (usage) for a name
-// that is no knob of the mobile path, for a value that it does not take, and for one that the settings have already.
+// "sky-sh=9"; "formulas=PRESET", and other names of paths::Path::changes. Throws Error (usage) for a name
+// that is no knob of that path, for a value that it does not take, and for one that the settings have already.
 Switch parseSwitch(const std::string& text, const job::Settings& settings);
 
 // The settings with the mask's switches turned. Throws Error (usage) where they do not go together.

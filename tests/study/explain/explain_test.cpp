@@ -120,7 +120,8 @@ TEST(Explain, RefusesWhatItCannotTurn) {
     base::expectError([&] { explainScene(context, wanted, switches, compare::defaultBudgets(), {}); }, parts, code);
   };
   expectRefused(plain, {"mobile-coat=refit"}, base::ExitCode::usage, {"mobile-coat=refit", "has no clear coat"});
-  expectRefused(plain, {"formulas=refit", "direct-lobe=d-approx"}, base::ExitCode::usage, {"need each other"});
+  expectRefused(request("builtin:furnace", "builtin:studio", true), {"formulas=refit", "direct-lobe=d-approx"},
+                base::ExitCode::usage, {"need each other"});
   expectRefused(plain, std::vector<std::string>(8, "sky-sh=9"), base::ExitCode::usage, {"at most 7"});
   job::SceneRequest unseen = plain;
   unseen.views[0].orbit = glm::vec3(0, 0, 100);
@@ -128,7 +129,7 @@ TEST(Explain, RefusesWhatItCannotTurn) {
   expectRefused(unseen, {}, base::ExitCode::notComparable, {"no chosen material is seen"});
   job::SceneRequest turned = plain;
   turned.settings.pathNames = {"mobile", "highend"};
-  expectRefused(turned, {}, base::ExitCode::usage, {"--paths", "highend,mobile"});
+  expectRefused(turned, {}, base::ExitCode::usage, {"--paths", "second of two paths"});
 }
 
 } // namespace

@@ -51,11 +51,11 @@ TEST(Switches, RefuseWhatCannotBeTurned) {
   };
   expectRefused("sky-sh", {"--switch", "is not KNOB=VALUE"});
   expectRefused("=9", {"is not KNOB=VALUE"});
-  expectRefused("sky-hs=9", {"'sky-hs' is no setting of the mobile path", "did you mean 'sky-sh'?"});
-  expectRefused("lut-size=8", {"is no setting of the mobile path"});
+  expectRefused("sky-hs=9", {"'sky-hs' is no setting of the path 'mobile'", "did you mean 'sky-sh'?"});
+  expectRefused("lut-size=8", {"is no setting of the path"});
   expectRefused("sky-sh=5", {"5"});
   expectRefused("sky-sh=4", {"is set already"});
-  expectRefused("formulas=refitt", {"is no preset of the mobile path", "did you mean 'refit'?"});
+  expectRefused("formulas=refitt", {"is no value of formulas", "did you mean 'refit'?"});
 }
 
 } // namespace
