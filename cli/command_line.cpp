@@ -232,7 +232,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
 
   RawWorstOptions rawWorst;
   CLI::App& worstApp = *app.add_subcommand(
-      "worst", "Find the view, the sun and the rotation of the environment under which a scene is worst, for a suite");
+      "worst", "Find the view, the sun and the rotation of the environment that show a scene at its worst");
   addWorstOptions(worstApp, rawWorst);
 
   RawStressOptions rawStress;

@@ -116,14 +116,11 @@ void addLook(base::KnobTable<Options>& t) {
       .titled("mobile fully rough")
       .costs(KnobStage::shading)
       .noOption();
-  t.flag<&Options::nonmetal>("mobile-nonmetal",
-                             "Mobile path: shade every material as a nonmetal, as an override of quality "
-                             "does")
+  t.flag<&Options::nonmetal>("mobile-nonmetal", "Mobile path: shade every material as a nonmetal, to save time")
       .titled("mobile nonmetal")
       .otherwise(kPresets)
       .costs(KnobStage::shading);
-  t.flag<&Options::parallax>("mobile-parallax",
-                             "Mobile path: correct reflections of baked captures by the captures' boxes")
+  t.flag<&Options::parallax>("mobile-parallax", "Mobile path: correct reflections of baked captures by their boxes")
       .titled("mobile parallax")
       .otherwise(kPresets)
       .costs(KnobStage::shading)

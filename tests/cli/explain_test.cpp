@@ -14,7 +14,8 @@ protected:
   double flipByDiff(const std::vector<std::string>& more, const std::string& material) const {
     const std::string file = path("diff.json");
     runParity(join({{"diff"}, kScene, more, {"--json", file, "-q"}}));
-    for (const json& each : read(file).at("scenes").at(0).at("views").at(0).at("materials"))
+    const json report = read(file);
+    for (const json& each : report.at("scenes").at(0).at("views").at(0).at("materials"))
       if (each.at("name") == material) return each.at("figures").at("metrics").at("flip.mean");
     return -1;
   }
@@ -22,10 +23,10 @@ protected:
 
 TEST_F(ExplainOnDevice, FiguresAreThoseOfDiffAndAFailedSceneLosesNothing) {
   const std::string file = path("explain.json");
-  const RunResult run = runParity(join({{"explain"},
-                                        kScene,
-                                        {"builtin:nothing", "--switch", "sky-sh=9", "--switch", "mobile-nonmetal=on",
-                                         "--json", file, "-q"}}));
+  const RunResult run = runParity(
+      join({{"explain"},
+            kScene,
+            {"builtin:nothing", "--switch", "sky-sh=9", "--switch", "mobile-nonmetal=on", "--json", file, "-q"}}));
   EXPECT_TRUE(exitedWith(4, run));
   EXPECT_TRUE(contains(run.err, "builtin:nothing")) << run.err;
   const json report = read(file);
@@ -51,9 +52,8 @@ TEST_F(ExplainOnDevice, FiguresAreThoseOfDiffAndAFailedSceneLosesNothing) {
 TEST_F(ExplainOnDevice, SaysThatNoSetMeetsTheBudget) {
   const std::string budgets =
       write("budgets.toml", "[[material]]\nname = \"gold\"\nchecks = [ { metric = \"flip.mean\", fail = 0.001 } ]\n");
-  const RunResult run = runParity(join({{"explain"},
-                                        kScene,
-                                        {"--switch", "formulas=refit", "--material", "gold", "--budgets", budgets, "-q"}}));
+  const RunResult run = runParity(
+      join({{"explain"}, kScene, {"--switch", "formulas=refit", "--material", "gold", "--budgets", budgets, "-q"}}));
   EXPECT_TRUE(exitedWith(0, run));
   EXPECT_TRUE(contains(run.out, "no set brings it below 0.001")) << run.out;
 }
@@ -61,8 +61,7 @@ TEST_F(ExplainOnDevice, SaysThatNoSetMeetsTheBudget) {
 TEST(ExplainOptions, RefuseWhatCannotBeMeant) {
   std::vector<std::string> many;
   for (int i = 0; i < 8; ++i) many.insert(many.end(), {"--switch", "sky-sh=9"});
-  for (const auto& [arguments, parts] :
-       std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>>{
+  for (const auto& [arguments, parts] : std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>>{
            {many, {"--switch", "at most 7"}}, {{"--switch", "sky-sh"}, {"KNOB=VALUE"}}}) {
     const RunResult run = runParity(join({{"explain", "builtin:furnace"}, arguments}));
     EXPECT_TRUE(exitedWith(64, run));
