@@ -40,8 +40,8 @@ public:
   // A list a material; `shaded` gives the opacity of what is blended, and is the same by any path.
   std::vector<base::PixelList> coverage(const std::vector<Shaded>& shaded) const;
 
-  // Of each coverage list the first picture with the second's colours on that material alone (gpu::SwapBuilder), as it is
-  // stored in the target. picture: the second, composed by that target.
+  // Of each coverage list the first picture with the second's colours on that material alone (gpu::SwapBuilder), as it
+  // is stored in the target. picture: the second, composed by that target.
   std::vector<gpu::SwappedPixels> swap(const std::vector<Shaded>& first, const std::vector<Shaded>& second,
                                        const std::optional<gpu::TargetCodec>& target, const base::Image& picture,
                                        const std::vector<base::PixelList>& coverage) const;
