@@ -58,6 +58,26 @@ TEST_F(ExplainOnDevice, SaysThatNoSetMeetsTheBudget) {
   EXPECT_TRUE(contains(run.out, "no set brings it below 0.001")) << run.out;
 }
 
+// Two views of a suite, one of which --only leaves; --all shows also what is within its limit.
+TEST_F(ExplainOnDevice, TakesViewsOfASuite) {
+  const std::string suite =
+      write("suite.toml", "[[scene]]\nname = \"ball\"\nfile = \"builtin:furnace\"\nenv = \"builtin:studio\"\n"
+                          "[[scene.view]]\nname = \"a\"\n[[scene.view]]\nname = \"b\"\norbit = [90, 70, 0]\n");
+  const RunResult run = runParity({"explain", "--suite", suite, "--only", "ball/b", "--size", "32x32", "--switch",
+                                   "sky-sh=9", "--all", "--timings", "--validation"});
+  EXPECT_TRUE(exitedWith(0, run));
+  EXPECT_TRUE(contains(run.out, "ball")) << run.out;
+  EXPECT_TRUE(contains(run.out, "best set of each size")) << run.out;
+  EXPECT_TRUE(contains(run.err, "shade")) << run.err;
+}
+
+TEST(ExplainOptions, LimitsAndBakesAreRefusedAsByReport) {
+  const std::vector<std::string> scene = {"explain", "builtin:room", "-q"};
+  EXPECT_TRUE(exitedWith(64, runParity(join({scene, {"--max-memory", "1K"}}))));
+  EXPECT_TRUE(exitedWith(64, runParity(join({scene, {"--max-image", "x"}}))));
+  expectRefused(runParity(join({scene, {"--baked", "no-such-folder"}})), 4, {"no-such-folder"});
+}
+
 TEST(ExplainOptions, RefuseWhatCannotBeMeant) {
   std::vector<std::string> many;
   for (int i = 0; i < 8; ++i) many.insert(many.end(), {"--switch", "sky-sh=9"});

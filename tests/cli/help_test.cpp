@@ -44,6 +44,8 @@ const std::vector<std::string> kCommon = {"--size",
                                           "--mixing-begin",
                                           "--mixing-end",
                                           "--mixing-largest",
+                                          "--mobile-parallax",
+                                          "--mobile-nonmetal",
                                           "--mobile-target",
                                           "--mobile-textures",
                                           "--direct-lobe",
@@ -144,8 +146,8 @@ TEST(Help, IsTheSameByTheCommandHelp) {
 }
 
 TEST(Help, HasNoGroupOfManyOptionsAndOnlyTheExitCodesOfTheCommand) {
-  for (const char* command :
-       {"report", "diff", "render", "flip", "bench", "bake", "stress", "fit", "plot", "info", "export", "contract"}) {
+  for (const char* command : {"report", "diff", "render", "flip", "bench", "explain", "worst", "bake", "stress", "fit",
+                              "plot", "info", "export", "contract"}) {
     const std::string help = runParity({command, "--help"}).out;
     EXPECT_FALSE(contains(help, "\nOptions:")) << command << ": options without a heading";
     EXPECT_TRUE(contains(help, "\nExamples:\n  parity " + std::string(command))) << help;

@@ -215,6 +215,8 @@ TEST(Options, OfEveryCommandAreUsedByATest) {
                                                   {"flip"},
                                                   {"bake"},
                                                   {"bench"},
+                                                  {"explain"},
+                                                  {"worst"},
                                                   {"info"},
                                                   {"export"},
                                                   {"contract"},

@@ -210,6 +210,20 @@ TEST_F(BakeRepeatTest, CapturesAreTheSameEachTime) {
   EXPECT_TRUE(readFolder(m_folder / "one") == readFolder(m_folder / "two"));
 }
 
+// Captures are read by the walls of their box where that is asked for. The room has a metal ball within its box.
+TEST_F(BakedTest, ParallaxMakesAnotherPictureOfARoom) {
+  const std::string folder = path("captured");
+  ASSERT_TRUE(exitedWith(0, run(join({{"bake", "builtin:room", "-o", folder}, kCapturedBake}))));
+  const auto draw = [&](const std::vector<std::string>& more) {
+    const RunResult drawn = run(
+        join({{"render", "builtin:room", "--path", "mobile", "--baked", folder, "--size", "32x32", "-o", path("p.exr")},
+              more}));
+    EXPECT_TRUE(exitedWith(0, drawn));
+    return readWholeFile(path("p.exr"));
+  };
+  EXPECT_TRUE(draw({}) != draw({"--mobile-parallax"}));
+}
+
 TEST_F(BakeRepeatTest, NotesOfManyMeshesAreCutShortUnlessAskedFor) {
   GltfFile file = makeLitCorner();
   const json mesh = file.json["meshes"][0];
