@@ -60,20 +60,6 @@ int runScaling(const BenchCommand& command) {
   return 0;
 }
 
-// A view of a scene each.
-RunRequest requestOf(const BenchCommand& command) {
-  RunRequest run = runRequest(command.common, withListed(command.scenes, "scene"), command.suite);
-  std::vector<job::SceneRequest> views;
-  for (const job::SceneRequest& scene : run.scenes)
-    for (const scenes::ViewRequest& view : scene.views) {
-      job::SceneRequest& each = views.emplace_back(scene);
-      each.views = {view};
-      if (scene.views.size() > 1) each.name += ", " + view.name;
-    }
-  run.scenes = std::move(views);
-  return run;
-}
-
 std::string paretoName(std::size_t scene) { return fmt::format("pareto-{}.svg", scene + 1); }
 
 // What was given to read must not be written over.
@@ -178,7 +164,7 @@ int runBenchCommand(const BenchCommand& command, const std::string& commandLine)
   if (command.list) return listSettings(command);
   const base::ThreadLimit threads(command.common.threads);
   if (command.scaling) return runScaling(command);
-  const RunRequest run = requestOf(command);
+  const RunRequest run = viewRequests(command.common, withListed(command.scenes, "scene"), command.suite);
   requireSeparateFiles(command, run.scenes);
   std::optional<sweep::SweepReport> earlier;
   if (!command.compare.empty()) earlier = sweep::readSweep(command.compare); // before the minutes that follow

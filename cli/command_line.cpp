@@ -30,7 +30,6 @@
 #include "cli/options/render_options.h"
 #include "cli/options/stress_options.h"
 #include "cli/options/suite_options.h"
-#include "cli/options/worst_options.h"
 
 namespace parity::cli {
 
@@ -230,10 +229,9 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       "explain", "Find what would help each material: the best sets of changes, and what they cost");
   addExplainOptions(explainApp, rawExplain);
 
-  RawWorstOptions rawWorst;
   CLI::App& worstApp = *app.add_subcommand(
       "worst", "Find the view, the sun and the rotation of the environment that show a scene at its worst");
-  addWorstOptions(worstApp, rawWorst);
+  addWorstOptions(worstApp, rawExplain);
 
   RawStressOptions rawStress;
   CLI::App& stressApp = *app.add_subcommand(
@@ -366,7 +364,7 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
     } else if (plotApp.parsed()) {
       parsed.command = settlePlot(rawPlot);
     } else if (worstApp.parsed()) {
-      parsed.command = settleWorst(worstApp, rawWorst);
+      parsed.command = settleWorst(worstApp, rawExplain);
     } else if (explainApp.parsed()) {
       parsed.command = settleExplain(explainApp, rawExplain);
     } else if (benchApp.parsed()) {

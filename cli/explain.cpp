@@ -18,27 +18,9 @@
 
 namespace parity::cli {
 
-namespace {
-
-// A view of a scene each.
-RunRequest requestOf(const ExplainCommand& command) {
-  RunRequest run = runRequest(command.common, withListed(command.scenes, "scene"), command.suite);
-  std::vector<job::SceneRequest> views;
-  for (const job::SceneRequest& scene : run.scenes)
-    for (const scenes::ViewRequest& view : scene.views) {
-      job::SceneRequest& each = views.emplace_back(scene);
-      each.views = {view};
-      if (scene.views.size() > 1) each.name += ", " + view.name;
-    }
-  run.scenes = std::move(views);
-  return run;
-}
-
-} // namespace
-
 int runExplainCommand(const ExplainCommand& command, const std::string& commandLine) {
   const base::ThreadLimit threads(command.common.threads);
-  const RunRequest run = requestOf(command);
+  const RunRequest run = viewRequests(command.common, withListed(command.scenes, "scene"), command.suite);
   requireSeparate({{"--json", command.common.json}}, inputFiles(command.common, run.scenes));
   const job::RunBudgets budgets(command.common.settings.budgets, run.suiteBudgets);
   job::Context context(run.settings);

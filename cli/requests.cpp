@@ -71,6 +71,19 @@ RunRequest runRequest(const CommonOptions& common, const std::vector<std::string
   return run;
 }
 
+RunRequest viewRequests(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite) {
+  RunRequest run = runRequest(common, scenes, suite);
+  std::vector<job::SceneRequest> views;
+  for (const job::SceneRequest& scene : run.scenes)
+    for (const scenes::ViewRequest& view : scene.views) {
+      job::SceneRequest& each = views.emplace_back(scene);
+      each.views = {view};
+      if (scene.views.size() > 1) each.name += ", " + view.name;
+    }
+  run.scenes = std::move(views);
+  return run;
+}
+
 std::vector<std::string> withoutTags(const std::vector<std::string>& only,
                                      const std::vector<job::SceneRequest>& scenes) {
   constexpr std::string_view kTag = "tag:";

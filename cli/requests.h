@@ -28,6 +28,9 @@ struct RunRequest {
 // reason for a suite that is refused.
 RunRequest runRequest(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite);
 
+// The same with a request for each view: "bottle, front" where a scene has several.
+RunRequest viewRequests(const CommonOptions& common, const std::vector<std::string>& scenes, const std::string& suite);
+
 // The globs of --only with the names of the scenes that have the tag for each "tag:NAME". Throws Error (usage) for a
 // tag that no scene has.
 std::vector<std::string> withoutTags(const std::vector<std::string>& only,

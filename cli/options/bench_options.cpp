@@ -14,13 +14,7 @@ void addBenchOptions(CLI::App& app, RawBenchOptions& raw) {
   s.width = s.height = 256;
   s.reference.integral.relativeError = 0.02;
   job::knobs().find("precision")->set(s, {"fp32"}); // a software device emulates half; every preset is tried in both
-  app.add_option("scenes", bench.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
-      ->type_name(kSceneFile);
-  app.add_option("--suite", bench.suite, "Suite file (TOML): many scenes, with their views and light")
-      ->type_name(kFile)
-      ->group(kInputGroup)
-      ->excludes("scenes");
-  addOnlyOption(app, bench.common.only);
+  addSceneList(app, bench.scenes, bench.suite, bench.common.only);
   app.add_option("-o,--output", bench.folder,
                  "Folder for index.html, bench.json, bench.csv, bench.md (one table of all scenes) and pictures")
       ->type_name(kFolder)

@@ -29,6 +29,16 @@ void addEnvironments(CLI::App& app, RawOptions& raw) {
   addRepeatableKnob(app, job::knobs().find("env")->knob, raw.knobs, raw.environments);
 }
 
+void addSceneList(CLI::App& app, std::vector<std::string>& scenes, std::string& suite, std::vector<std::string>& only) {
+  app.add_option("scenes", scenes, "Scene files or builtin:NAME; -: one a line from standard input")
+      ->type_name(kSceneFile);
+  app.add_option("--suite", suite, "Suite file (TOML): many scenes, with their views and light")
+      ->type_name(kFile)
+      ->group(kInputGroup)
+      ->excludes("scenes");
+  addOnlyOption(app, only);
+}
+
 void addCsvOption(CLI::App& app, std::string& csv) {
   app.add_option("--csv", csv, "Write all figures as CSV, one line for each material of each view; - for stdout")
       ->type_name(kFile)

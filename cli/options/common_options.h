@@ -36,6 +36,8 @@ void requireOneOnStdout(const std::string& json, const std::string& csv);
 void addRunOptions(CLI::App& app, CommonOptions& common, RawOptions& raw);
 // --only.
 void addOnlyOption(CLI::App& app, std::vector<std::string>& only);
+// Scenes, or --suite, and --only of either.
+void addSceneList(CLI::App& app, std::vector<std::string>& scenes, std::string& suite, std::vector<std::string>& only);
 void addBudgetsOption(CLI::App& app, CommonOptions& common);
 // What a report's page holds: --single-file, --pixel-data, --pictures.
 void addPageOptions(CLI::App& app, ReportCommand& report, RawOptions& raw);

@@ -9,13 +9,7 @@ namespace parity::cli {
 void addExplainOptions(CLI::App& app, RawExplainOptions& raw) {
   ExplainCommand& explain = raw.explain;
   explain.common.settings.width = explain.common.settings.height = 256;
-  app.add_option("scenes", explain.scenes, "Scene files or builtin:NAME; -: one a line from standard input")
-      ->type_name(kSceneFile);
-  app.add_option("--suite", explain.suite, "Suite file (TOML): many scenes, with their views and light")
-      ->type_name(kFile)
-      ->group(kInputGroup)
-      ->excludes("scenes");
-  addOnlyOption(app, explain.common.only);
+  addSceneList(app, explain.scenes, explain.suite, explain.common.only);
   repeat(app.add_option("--switch", explain.switches,
                         "A change to try, alone and with the others (repeatable, at most 7):\n"
                         "formulas=PRESET, or any of its settings. Default: those of a list that help most"))
@@ -42,6 +36,34 @@ ExplainCommand settleExplain(const CLI::App& app, const RawExplainOptions& raw) 
   if (command.switches.size() > explain::kMaxSwitches)
     throw CLI::ValidationError("--switch", fmt::format("{} of them; at most {} are tried together",
                                                        command.switches.size(), explain::kMaxSwitches));
+  return command;
+}
+
+void addWorstOptions(CLI::App& app, RawExplainOptions& raw) {
+  WorstCommand& worst = raw.worst;
+  worst.common.settings.width = worst.common.settings.height = 512;
+  app.add_option("scene", worst.scene, "Scene file or builtin:NAME")->type_name(kSceneFile)->required();
+  app.add_option("--points", worst.options.points,
+                 "Pictures that are spread over the views, before the best are refined")
+      ->check(wholeWithin(8, 100000))
+      ->group("Worst")
+      ->capture_default_str();
+  app.add_option("--rotations", worst.options.rotations, "Rotations of the environment to try; 1: none")
+      ->check(wholeWithin(1, 64))
+      ->group("Worst")
+      ->capture_default_str();
+  app.add_option("--json", worst.common.json, "Write what was found to this file; - for stdout, instead of the text")
+      ->type_name(kFile)
+      ->group("Output");
+  addKnobs(app, worst.common, raw.common, {"Scene", "Picture", "Paths"}, {"costs", "baked"});
+  addViewKnobs(app, raw.common);
+  addRunOptions(app, worst.common, raw.common);
+}
+
+WorstCommand settleWorst(const CLI::App& app, const RawExplainOptions& raw) {
+  WorstCommand command = raw.worst;
+  settle(app, command.common, raw.common);
+  requireSizeFits(command.common, kComparedPixelBytes);
   return command;
 }
 

@@ -10,32 +10,14 @@ namespace parity::explain {
 
 namespace {
 
-using Function = std::function<double(const std::vector<double>&)>;
-
 std::vector<double> wrapped(std::vector<double> at, const std::vector<bool>& periodic) {
   for (std::size_t i = 0; i < at.size(); ++i)
     at[i] = periodic[i] ? at[i] - std::floor(at[i]) : std::clamp(at[i], 0.0, 1.0);
   return at;
 }
 
-std::vector<Peak> spread(const Function& value, std::size_t dimensions, int count) {
-  double root = 1.5;
-  for (int i = 0; i < 60; ++i) root = std::pow(1 + root, 1 / static_cast<double>(dimensions + 1));
-  std::vector<Peak> points;
-  for (int k = 1; k <= count; ++k) {
-    std::vector<double> at;
-    for (std::size_t i = 0; i < dimensions; ++i) {
-      const double x = 0.5 + k * std::pow(root, -static_cast<double>(i + 1));
-      at.push_back(x - std::floor(x));
-    }
-    points.push_back({at, value(at)});
-  }
-  std::ranges::stable_sort(points, std::greater(), &Peak::value);
-  return points;
-}
-
 struct Ascent {
-  const Function& value;
+  const CostlyFunction& value;
   const std::vector<bool>& periodic;
   Peak best;
 };
@@ -48,7 +30,33 @@ double climb(const std::vector<double>& at, std::vector<double>&, void* data) {
   return value;
 }
 
-Peak refine(const Function& value, const std::vector<bool>& periodic, const Peak& from, int steps) {
+} // namespace
+
+std::vector<Peak> spreadPoints(const CostlyFunction& value, std::size_t dimensions, int count, int first) {
+  double root = 1.5;
+  for (int i = 0; i < 60; ++i) root = std::pow(1 + root, 1 / static_cast<double>(dimensions + 1));
+  std::vector<Peak> points;
+  for (int k = first + 1; k <= first + count; ++k) {
+    std::vector<double> at;
+    for (std::size_t i = 0; i < dimensions; ++i) {
+      const double x = 0.5 + k * std::pow(root, -static_cast<double>(i + 1));
+      at.push_back(x - std::floor(x));
+    }
+    points.push_back({at, value(at)});
+  }
+  return points;
+}
+
+double distanceOf(const std::vector<double>& a, const std::vector<double>& b, const std::vector<bool>& periodic) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double apart = std::abs(a[i] - b[i]);
+    most = std::max(most, periodic[i] ? std::min(apart, 1 - apart) : apart);
+  }
+  return most;
+}
+
+Peak refine(const CostlyFunction& value, const std::vector<bool>& periodic, const Peak& from, int steps) {
   const std::size_t d = from.at.size();
   Ascent ascent{value, periodic, from};
   nlopt::opt subplex(nlopt::LN_SBPLX, static_cast<unsigned>(d));
@@ -67,28 +75,6 @@ Peak refine(const Function& value, const std::vector<bool>& periodic, const Peak
   } catch (const std::runtime_error&) { // it gets no further: the best so far counts
   }
   return ascent.best;
-}
-
-} // namespace
-
-std::vector<Peak> findPeaks(const Function& value, const std::vector<bool>& periodic, const SearchOptions& options) {
-  std::vector<Peak> peaks;
-  if (periodic.empty()) return {{{}, value({})}};
-  for (const Peak& point : spread(value, periodic.size(), options.points)) {
-    if (static_cast<int>(peaks.size()) == options.refined) break;
-    // Another peak, not the same one again.
-    const bool near = std::ranges::any_of(peaks, [&](const Peak& other) {
-      double most = 0;
-      for (std::size_t i = 0; i < point.at.size(); ++i) {
-        const double apart = std::abs(point.at[i] - other.at[i]);
-        most = std::max(most, periodic[i] ? std::min(apart, 1 - apart) : apart);
-      }
-      return most < 0.05;
-    });
-    if (!near) peaks.push_back(refine(value, periodic, point, options.steps));
-  }
-  std::ranges::stable_sort(peaks, std::greater(), &Peak::value);
-  return peaks;
 }
 
 } // namespace parity::explain

@@ -6,22 +6,23 @@
 
 namespace parity::explain {
 
-struct SearchOptions {
-  int points = 256; // spread over the box
-  int refined = 6;  // of them, the best
-  int steps = 50;   // of each, at most
-};
+// Over [0, 1]^d.
+using CostlyFunction = std::function<double(const std::vector<double>&)>;
 
 struct Peak {
-  std::vector<double> at; // in [0, 1)^d; periodic dimensions wrapped
+  std::vector<double> at;
   double value = 0;
 };
 
-// Over [0, 1]^d. The points are an additive recurrence by the powers of the root of x^(d+1) = x + 1 (Roberts 2018, "The
-// Unreasonable Effectiveness of Quasirandom Sequences"); the refinement is NLopt's subplex method (Rowan 1990).
-// periodic: of each dimension whether 0 and 1 are the same place. Deterministic. Returns the refined peaks, the
-// greatest first.
-std::vector<Peak> findPeaks(const std::function<double(const std::vector<double>&)>& value,
-                            const std::vector<bool>& periodic, const SearchOptions& options);
+// So many points, an additive recurrence by the powers of the root of x^(d+1) = x + 1 (Roberts 2018, "The Unreasonable
+// Effectiveness of Quasirandom Sequences"), in its order; from its place `first` on. dimensions >= 1.
+std::vector<Peak> spreadPoints(const CostlyFunction& value, std::size_t dimensions, int count, int first = 0);
+
+// Largest distance along an axis. periodic: of each dimension whether 0 and 1 are the same place.
+double distanceOf(const std::vector<double>& a, const std::vector<double>& b, const std::vector<bool>& periodic);
+
+// Climbs from a point by NLopt's subplex method (Rowan 1990), at most so many steps. Never below the start; periodic
+// dimensions are wrapped. Deterministic.
+Peak refine(const CostlyFunction& value, const std::vector<bool>& periodic, const Peak& from, int steps);
 
 } // namespace parity::explain

@@ -21,7 +21,9 @@ namespace parity::explain {
 namespace {
 
 constexpr float kLeastPhi = 15, kMostPhi = 95, kLeastElevation = 5, kMostElevation = 85;
-constexpr float kNearest = 0.5f; // of the distance that fits the scene
+constexpr float kNearest = 0.5f;   // of the distance that fits the scene
+constexpr double kSamePeak = 0.05; // views nearer than that, in shares of the domain, climb one peak
+constexpr std::size_t kConfirmed = 4;
 
 struct Outcome {
   std::string material;
@@ -180,34 +182,53 @@ WorstResult findWorst(job::Context& context, const job::SceneRequest& request, c
   const Searcher searcher(context, request, options);
   WorstResult result;
   result.scene = request.name;
-  struct Found {
-    Peak peak;
-    float rotation;
-    float radius;
-  };
-  std::vector<Found> found;
-  SearchOptions share = options.search; // of one rotation
-  const int rotations = searcher.rotations();
-  share.points = std::max(1, options.search.points / rotations);
-  share.refined = std::max(1, (options.search.refined + rotations - 1) / rotations);
-  for (int k = 0; k < rotations; ++k) {
-    Stage stage = searcher.stage(options.size, searcher.rotationOf(k));
-    const int planned = share.points + share.refined * share.steps;
-    int done = 0;
-    const auto value = [&](const std::vector<double>& at) {
+  const int rotations = searcher.rotations(), share = std::max(1, options.points / rotations),
+            planned = share * rotations + options.refined * options.steps;
+  const auto valueIn = [&](Stage& stage) {
+    return [&](const std::vector<double>& at) {
       context.requireGoesOn();
       if (progress)
         progress(request.name + ": looking for the worst view",
-                 (k + std::min(1.0, static_cast<double>(done) / planned)) / (rotations + 1));
-      ++done;
+                 0.95 * std::min(1.0, static_cast<double>(result.pictures) / planned));
+      ++result.pictures;
       return searcher.valueAt(stage, at);
     };
-    for (const Peak& peak : findPeaks(value, searcher.periodic(stage), share))
-      if (peak.value > 0) found.push_back({peak, searcher.rotationOf(k), stage.radius()});
-    result.pictures += done;
+  };
+  struct Found {
+    Peak peak;
+    float rotation, radius;
+    std::vector<bool> periodic;
+  };
+  // Other views under each rotation.
+  std::vector<Found> all;
+  for (int k = 0; k < rotations; ++k) {
+    Stage stage = searcher.stage(options.size, searcher.rotationOf(k));
+    const std::vector<bool> periodic = searcher.periodic(stage);
+    for (Peak& point : spreadPoints(valueIn(stage), periodic.size(), share, k * share))
+      if (point.value > 0) all.push_back({std::move(point), searcher.rotationOf(k), stage.radius(), periodic});
+  }
+  std::ranges::stable_sort(all, std::greater(), [](const Found& f) { return f.peak.value; });
+  // The best are refined, each peak once.
+  std::map<float, std::vector<Found>> chosen;
+  int count = 0;
+  for (const Found& each : all) {
+    std::vector<Found>& others = chosen[each.rotation];
+    const bool isNew = std::ranges::none_of(
+        others, [&](const Found& other) { return distanceOf(each.peak.at, other.peak.at, each.periodic) < kSamePeak; });
+    if (isNew) others.push_back(each), ++count;
+    if (count == options.refined) break;
+  }
+  std::vector<Found> found;
+  for (auto& [rotation, peaks] : chosen) {
+    if (peaks.empty()) continue;
+    Stage stage = searcher.stage(options.size, rotation);
+    for (Found& each : peaks) {
+      each.peak = refine(valueIn(stage), each.periodic, each.peak, options.steps);
+      found.push_back(each);
+    }
   }
   std::ranges::stable_sort(found, std::greater(), [](const Found& f) { return f.peak.value; });
-  found.resize(std::min<std::size_t>(found.size(), 4));
+  found.resize(std::min(found.size(), kConfirmed));
   std::map<float, std::vector<const Found*>> byRotation;
   for (const Found& each : found) byRotation[each.rotation].push_back(&each);
   for (const auto& [rotation, peaks] : byRotation) {

@@ -20,8 +20,10 @@ namespace parity::explain {
 inline constexpr std::uint64_t kLeastWorstPixels = 1000;
 
 struct WorstOptions {
-  SearchOptions search;
-  int size = 128;    // side of the pictures that are searched, pixels
+  int points = 600;  // pictures of views that are spread evenly, over all rotations
+  int refined = 8;   // of them the best, of which each is refined
+  int steps = 40;    // by so many pictures at most
+  int size = 128;    // longer side of the pictures that are searched, pixels
   int rotations = 4; // of the environment, evenly spread; 1: it stays as it is
 };
 

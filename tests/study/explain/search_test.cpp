@@ -1,0 +1,52 @@
+// The search against functions whose peaks are known.
+#include "study/explain/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace parity::explain {
+namespace {
+
+TEST(Search, SpreadsPointsEvenlyAndGoesOnWhereItStopped) {
+  const auto zero = [](const std::vector<double>&) { return 0.0; };
+  const std::vector<Peak> all = spreadPoints(zero, 3, 512), rest = spreadPoints(zero, 3, 256, 256);
+  EXPECT_EQ(all[256].at, rest[0].at);
+  // Every eighth of the cube holds its share, within a tenth.
+  for (int cell = 0; cell < 8; ++cell) {
+    const auto inside = std::ranges::count_if(all, [&](const Peak& p) {
+      return (p.at[0] < 0.5) == (cell % 2 == 0) && (p.at[1] < 0.5) == (cell / 2 % 2 == 0) &&
+             (p.at[2] < 0.5) == (cell / 4 == 0);
+    });
+    EXPECT_NEAR(static_cast<double>(inside), 64, 7) << cell;
+  }
+}
+
+TEST(Search, RefinesAPeakAcrossTheSeamOfAPeriodicDimension) {
+  const auto hill = [](const std::vector<double>& at) {
+    const double x = std::min(std::abs(at[0] - 0.98), 1 - std::abs(at[0] - 0.98));
+    return 1 - x * x - (at[1] - 0.3) * (at[1] - 0.3);
+  };
+  const Peak start{{0.03, 0.5}, hill({0.03, 0.5})};
+  const Peak best = refine(hill, {true, false}, start, 120);
+  EXPECT_NEAR(best.at[0], 0.98, 0.01);
+  EXPECT_NEAR(best.at[1], 0.3, 0.01);
+  EXPECT_GT(best.value, start.value);
+}
+
+TEST(Search, NeverLeavesTheStartForWorse) {
+  int calls = 0;
+  const Peak best = refine([&](const std::vector<double>&) { return ++calls, -1.0; }, {false}, {{0.5}, 0.25}, 10);
+  EXPECT_EQ(best.value, 0.25);
+  EXPECT_EQ(best.at, std::vector<double>{0.5});
+  EXPECT_LE(calls, 11);
+}
+
+TEST(Search, DistancesAreOfTheLargestAxisAndWrap) {
+  EXPECT_NEAR(distanceOf({0.02, 0.5}, {0.98, 0.47}, {true, false}), 0.04, 1e-12);
+  EXPECT_NEAR(distanceOf({0.02, 0.5}, {0.98, 0.47}, {false, false}), 0.96, 1e-12);
+}
+
+} // namespace
+} // namespace parity::explain
