@@ -13,13 +13,13 @@ TEST(Search, SpreadsPointsEvenlyAndGoesOnWhereItStopped) {
   const auto zero = [](const std::vector<double>&) { return 0.0; };
   const std::vector<Peak> all = spreadPoints(zero, 3, 512), rest = spreadPoints(zero, 3, 256, 256);
   EXPECT_EQ(all[256].at, rest[0].at);
-  // A sixteenth of each axis holds its share, 32, within 3 (points at random: 5.5 off on average), and every eighth of
-  // the cube, 64, within a fifth.
+  // A sixteenth of each axis holds its share, 32, within 7 (of points at random one of 48 such bins is 13 off), and
+  // every eighth of the cube, 64, within a fifth.
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (int bin = 0; bin < 16; ++bin) {
       const auto inside =
           std::ranges::count_if(all, [&](const Peak& p) { return static_cast<int>(16 * p.at[axis]) == bin; });
-      EXPECT_NEAR(static_cast<double>(inside), 32, 3) << axis << ", " << bin;
+      EXPECT_NEAR(static_cast<double>(inside), 32, 7) << axis << ", " << bin;
     }
   for (int cell = 0; cell < 8; ++cell) {
     const auto inside = std::ranges::count_if(all, [&](const Peak& p) {
