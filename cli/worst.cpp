@@ -40,7 +40,7 @@ int runWorstCommand(const WorstCommand& command, const std::string& commandLine)
     json["given"] = {{"material", result.given.material}, {"flip", result.given.flip}};
     json["views"] = nlohmann::ordered_json::array();
     for (const explain::WorstView& view : result.views) json["views"].push_back(toJson(view));
-    writeJson(command.common.json, json.dump(2) + "\n");
+    writeJson(command.common.json, dumpJson(json));
   }
   if (command.common.json != "-") {
     const explain::WorstView& worst = result.views.front();

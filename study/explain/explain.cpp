@@ -30,7 +30,8 @@ job::PathChoice pathsFor(const job::Settings& settings) {
   return choice;
 }
 
-// The lowest limit of mean FLIP that the budgets give the material: the default's where they have none.
+// Of the rule that judges the material: the lowest limit of mean FLIP, the default's where it has none; and the pixels
+// below which it is too small to be judged.
 double limitOf(const compare::Budgets& budgets, const std::string& scene, const std::string& material) {
   for (const compare::Budgets* each : {&budgets, &compare::defaultBudgets()})
     if (const compare::BudgetRule* rule = compare::findMaterialRule(*each, scene, material))
@@ -41,6 +42,11 @@ double limitOf(const compare::Budgets& budgets, const std::string& scene, const 
 
 // All sets of a material whose costs are counted.
 auto setsOf(MaterialExplanation& material) { return std::array{&material.best, &material.alone, &material.cheaper}; }
+
+std::uint64_t leastPixelsOf(const compare::Budgets& budgets, const std::string& scene, const std::string& material) {
+  const compare::BudgetRule* rule = compare::findMaterialRule(budgets, scene, material);
+  return rule ? rule->minPixels : compare::kDefaultMinPixels;
+}
 
 class Explainer {
 public:
@@ -84,6 +90,10 @@ private:
           settings().materials.empty() ||
           std::ranges::any_of(settings().materials, [&](const auto& glob) { return base::matchesGlob(glob, name); });
       if (!wanted || coverage[m].pixels.empty()) continue;
+      if (coverage[m].pixels.size() < leastPixelsOf(m_budgets, m_request.name, name)) {
+        m_result.tooSmall.push_back(name);
+        continue;
+      }
       m_materials.push_back(m);
       MaterialExplanation& material = m_result.materials.emplace_back();
       material.name = name;
@@ -91,7 +101,8 @@ private:
       material.limit = limitOf(m_budgets, m_request.name, name);
     }
     if (m_materials.empty())
-      throw base::Error(base::ExitCode::notComparable, m_request.scene, m_result.view, "no chosen material is seen");
+      throw base::Error(base::ExitCode::notComparable, m_request.scene, m_result.view,
+                        "no chosen material is seen, or only too small");
   }
 
   void chooseSwitches(const std::vector<std::string>& given) {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "base/text/shown_text.h"
 #include "base/version.h"
 #include "study/explain/advice.h"
 
@@ -23,7 +24,8 @@ std::string countOf(std::size_t n, const char* one, const char* many) {
 std::string signedText(double value) { return fmt::format("{:+.3f}", value); }
 
 void addMaterial(std::string& text, const MaterialExplanation& m, const std::vector<Switch>& switches) {
-  text += fmt::format("\n{}: mean FLIP {:.3f}, limit {:g}, {} pixels\n", m.name, m.flip.front(), m.limit, m.pixels);
+  text += fmt::format("\n{}: mean FLIP {:.3f}, limit {:g}, {} pixels\n", base::plainLine(m.name), m.flip.front(),
+                      m.limit, m.pixels);
   for (const std::string& sentence : m.advice) text += fmt::format("  {}\n", sentence);
   const Cost today = m.best.front().cost;
   text += "  best set of each size\n";
@@ -91,6 +93,7 @@ ordered_json toJson(const SceneExplanation& scene) {
   }
   json["skipped"] = ordered_json::array();
   for (const Skipped& each : scene.skipped) json["skipped"].push_back({{"switch", each.what}, {"reason", each.why}});
+  json["tooSmall"] = scene.tooSmall;
   json["materials"] = ordered_json::array();
   for (const MaterialExplanation& m : scene.materials) json["materials"].push_back(toJson(m, scene.switches));
   return json;
@@ -100,9 +103,10 @@ ordered_json toJson(const SceneExplanation& scene) {
 
 std::string toText(const SceneExplanation& scene, bool allMaterials) {
   if (!scene.failure.empty()) return {};
-  std::string text = fmt::format("{} ({}, {}x{}): {} of {}\n", scene.scene, scene.environment, scene.width,
-                                 scene.height, countOf(std::size_t{1} << scene.switches.size(), "set", "sets"),
-                                 countOf(scene.switches.size(), "switch", "switches"));
+  std::string text =
+      fmt::format("{} ({}, {}x{}): {} of {}\n", base::plainLine(scene.scene), base::plainLine(scene.environment),
+                  scene.width, scene.height, countOf(std::size_t{1} << scene.switches.size(), "set", "sets"),
+                  countOf(scene.switches.size(), "switch", "switches"));
   for (const Switch& each : scene.switches) text += fmt::format("  {}: {}\n", each.id(), each.words);
   for (const Skipped& each : scene.skipped) text += fmt::format("  not tried: {} ({})\n", each.what, each.why);
   std::vector<const MaterialExplanation*> order;
@@ -114,6 +118,8 @@ std::string toText(const SceneExplanation& scene, bool allMaterials) {
       ++quiet;
   std::ranges::stable_sort(order, std::greater(), [](const auto* m) { return m->flip.front() - m->limit; });
   for (const MaterialExplanation* m : order) addMaterial(text, *m, scene.switches);
+  for (const std::string& name : scene.tooSmall)
+    text += fmt::format("\n{}: too small to judge; give a larger --size\n", base::plainLine(name));
   if (quiet > 0)
     text += fmt::format("\n{} within the limit, with nothing to save; --all shows them\n",
                         countOf(quiet, "material is", "materials are"));
@@ -139,7 +145,7 @@ std::string toJson(const std::vector<SceneExplanation>& scenes, const TeamView& 
   for (const TeamSet& set : team.sets)
     json["team"]["sets"].push_back(
         {{"set", set.switches}, {"within", set.within}, {"meanFlip", set.meanFlip}, {"operations", set.operations}});
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n"; // names may hold any bytes
 }
 
 } // namespace parity::explain

@@ -59,8 +59,9 @@ struct SceneExplanation {
   std::vector<Switch> switches; // those that cheapen last
   std::vector<Skipped> skipped; // switches that were not tried
   std::vector<MaterialExplanation> materials;
-  double seconds = 0;  // of the sets: shading and measuring
-  std::string failure; // empty: none
+  std::vector<std::string> tooSmall; // materials of fewer pixels than their rule judges
+  double seconds = 0;                // of the sets: shading and measuring
+  std::string failure;               // empty: none
 };
 
 } // namespace parity::explain

@@ -63,7 +63,7 @@ TEST_F(ExplainOnDevice, TakesViewsOfASuite) {
   const std::string suite =
       write("suite.toml", "[[scene]]\nname = \"ball\"\nfile = \"builtin:furnace\"\nenv = \"builtin:studio\"\n"
                           "[[scene.view]]\nname = \"a\"\n[[scene.view]]\nname = \"b\"\norbit = [90, 70, 0]\n");
-  const RunResult run = runParity({"explain", "--suite", suite, "--only", "ball/b", "--size", "32x32", "--switch",
+  const RunResult run = runParity({"explain", "--suite", suite, "--only", "ball/b", "--size", "64x64", "--switch",
                                    "sky-sh=9", "--all", "--timings", "--validation"});
   EXPECT_TRUE(exitedWith(0, run));
   EXPECT_TRUE(contains(run.out, "ball")) << run.out;

@@ -29,11 +29,18 @@ job::SceneRequest request(const std::string& scene, const char* environment, boo
   return request;
 }
 
+// Of small pictures: no material is too small to be judged.
+compare::Budgets ofSmallPictures() {
+  compare::Budgets budgets = compare::defaultBudgets();
+  for (compare::BudgetRule& rule : budgets.materials) rule.minPixels = 1;
+  return budgets;
+}
+
 // Every set of three switches by the wide program equals the specialised ones: to the last bit of each figure. And the
 // advice is what brute force over those finds.
 void expectBruteForceAgrees(const job::SceneRequest& wanted, const std::vector<std::string>& switches) {
   job::Context context(wanted.settings);
-  const SceneExplanation found = explainScene(context, wanted, switches, compare::defaultBudgets(), {});
+  const SceneExplanation found = explainScene(context, wanted, switches, ofSmallPictures(), {});
   ASSERT_EQ(found.switches.size(), switches.size());
   const job::PathChoice paths = job::pathsOf(wanted.settings);
   const job::PreparedScene prepared = job::prepareScene(context, wanted, paths);
@@ -93,7 +100,7 @@ TEST(Explain, EqualsBruteForceOnShadows) {
 TEST(Explain, ChoosesSwitchesThatHelpAndSaysWhyOthersAreLeftOut) {
   const job::SceneRequest materials = request("builtin:materials", "builtin:sky", false);
   job::Context context(materials.settings);
-  const SceneExplanation found = explainScene(context, materials, {}, compare::defaultBudgets(), {});
+  const SceneExplanation found = explainScene(context, materials, {}, ofSmallPictures(), {});
   const auto has = [&](const char* id) { return std::ranges::count(found.switches, id, &Switch::id) == 1; };
   EXPECT_TRUE(has("formulas=refit"));
   EXPECT_TRUE(has("mobile-fully-rough=on"));
@@ -112,6 +119,24 @@ TEST(Explain, ChoosesSwitchesThatHelpAndSaysWhyOthersAreLeftOut) {
   EXPECT_NE(text.find("best set of each size"), std::string::npos);
 }
 
+// Of slivers nothing is advised; hostile names stay on their line.
+TEST(Explain, LeavesOutWhatIsTooSmallToJudge) {
+  job::SceneRequest wanted = request("builtin:materials", "builtin:sky", false);
+  job::Context context(wanted.settings);
+  compare::Budgets budgets = ofSmallPictures();
+  budgets.materials.insert(budgets.materials.begin(), budgets.materials.front());
+  budgets.materials.front().material = "gold";
+  budgets.materials.front().minPixels = 100000;
+  const SceneExplanation found = explainScene(context, wanted, {"sky-sh=9"}, budgets, {});
+  EXPECT_EQ(found.tooSmall, std::vector<std::string>{"gold"});
+  EXPECT_EQ(std::ranges::count(found.materials, "gold", &MaterialExplanation::name), 0);
+  EXPECT_NE(toText(found, true).find("gold: too small to judge"), std::string::npos);
+  SceneExplanation hostile = found;
+  hostile.materials.front().name = "a\nb\xff";
+  EXPECT_EQ(toText(hostile, true).find("a\nb"), std::string::npos);
+  EXPECT_NO_THROW(toJson({hostile}, {}, ""));
+}
+
 TEST(Explain, RefusesWhatItCannotTurn) {
   const job::SceneRequest plain = request("builtin:furnace", "builtin:studio", false);
   const auto expectRefused = [&](job::SceneRequest wanted, const std::vector<std::string>& switches,
@@ -126,7 +151,7 @@ TEST(Explain, RefusesWhatItCannotTurn) {
   job::SceneRequest unseen = plain;
   unseen.views[0].orbit = glm::vec3(0, 0, 100);
   unseen.views[0].target = glm::vec3(0, 900, 0);
-  expectRefused(unseen, {}, base::ExitCode::notComparable, {"no chosen material is seen"});
+  expectRefused(unseen, {}, base::ExitCode::notComparable, {"no chosen material is seen, or only too small"});
   job::SceneRequest turned = plain;
   turned.settings.pathNames = {"mobile", "highend"};
   expectRefused(turned, {}, base::ExitCode::usage, {"--paths", "second of two paths"});
