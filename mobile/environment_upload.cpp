@@ -58,13 +58,18 @@ gpu::EnvironmentMaps uploadCaptures(const gpu::Device& device, paths::Cubes cube
   return maps;
 }
 
-gpu::BakedMaps uploadBaked(const gpu::Device& device, const lighting::BakedLight& baked) {
-  const std::vector<std::uint8_t> lightmap = paths::layersOf(baked.lqPages), sun = paths::layersOf(baked.sunField);
+gpu::BakedMaps uploadBaked(const gpu::Device& device, const lighting::BakedLight& baked, LightmapForm form) {
+  const bool isHq = form == LightmapForm::hq;
+  const std::vector<std::uint16_t> halves = isHq ? paths::layersOf(baked.halfPages) : std::vector<std::uint16_t>();
+  const std::vector<std::uint8_t> bytes = isHq ? std::vector<std::uint8_t>() : paths::layersOf(baked.lqPages),
+                                  sun = paths::layersOf(baked.sunField);
+  const gpu::BakedPages lightmap = isHq ? paths::pagesOf(vk::Format::eR16G16B16A16Sfloat, baked.halfPages, halves)
+                                        : paths::pagesOf(vk::Format::eR8G8B8A8Unorm, baked.lqPages, bytes);
   const std::vector<gpu::GpuCapture> captures = paths::capturesOf(baked, true);
   std::vector<gpu::GpuLightmapScales> scales;
   for (std::size_t i = 0; i + 4 <= baked.lqScales.size(); i += 4)
     scales.push_back({baked.lqScales[i], baked.lqScales[i + 1], baked.lqScales[i + 2], baked.lqScales[i + 3]});
-  return gpu::makeBakedMaps(device, {.lightmap = paths::pagesOf(vk::Format::eR8G8B8A8Unorm, baked.lqPages, lightmap),
+  return gpu::makeBakedMaps(device, {.lightmap = lightmap,
                                      .sunShadow = paths::pagesOf(vk::Format::eR8Unorm, baked.sunField, sun),
                                      .transitionScale = baked.transitionScale,
                                      .scales = scales,

@@ -13,7 +13,7 @@ namespace parity::mobile {
 gpu::EnvironmentMaps uploadCaptures(const gpu::Device& device, paths::Cubes cubes,
                                     const lighting::EnvironmentLight& sky, CaptureEncoding encoding);
 
-// Lightmap in Unreal Engine 4's LQ encoding, distance field of the sun's shadow, and captures.
-gpu::BakedMaps uploadBaked(const gpu::Device& device, const lighting::BakedLight& baked);
+// Lightmap in that form, distance field of the sun's shadow, and captures.
+gpu::BakedMaps uploadBaked(const gpu::Device& device, const lighting::BakedLight& baked, LightmapForm form);
 
 } // namespace parity::mobile

@@ -8,7 +8,7 @@ namespace parity::mobile {
 
 namespace {
 
-static_assert(base::memberCount<Options>() == 27 && base::memberCount<Mixing>() == 3, "a new member needs a row");
+static_assert(base::memberCount<Options>() == 30 && base::memberCount<Mixing>() == 3, "a new member needs a row");
 
 constexpr const char* kPresets = "set by the preset";
 
@@ -29,6 +29,7 @@ void addLook(base::KnobTable<Options>& t) {
          const Options old = o;
          o = presetByName(presetNames()[base::readChoice(text, presetNames())]);
          o.precision = old.precision, o.target = old.target, o.textures = old.textures;
+         o.lightCap = old.lightCap, o.pixelFog = old.pixelFog, o.lightmap = old.lightmap;
        },
        [](const Options& o) { return o.preset; })
       .costs(KnobStage::shading)
@@ -130,6 +131,20 @@ void addLook(base::KnobTable<Options>& t) {
       .otherwise(kPresets)
       .costs(KnobStage::shading)
       .needsScene("local light");
+  t.flag<&Options::lightCap>("mobile-light-cap", "Mobile path: limit each object to its four brightest local lights")
+      .titled("mobile light cap")
+      .costs(KnobStage::shading)
+      .needsScene("local light");
+  t.flag<&Options::pixelFog>("mobile-pixel-fog", "Mobile path: compute the fog for each pixel, not at vertices")
+      .titled("mobile pixel fog")
+      .costs(KnobStage::shading)
+      .needsScene("fog");
+  t.choice<&Options::lightmap>("mobile-lightmap", lightmapFormNames(),
+                               "Mobile path: form of the lightmap; lq: Unreal Engine 4's low quality,\n"
+                               "hq: as the high-end path reads it")
+      .titled("mobile lightmap")
+      .costs(KnobStage::shading)
+      .needsScene("lightmap");
 }
 
 void addShadows(base::KnobTable<Options>& t) {

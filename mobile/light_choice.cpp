@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "scenes/brightest_light.h"
 #include "shading/shading.h"
@@ -76,6 +77,11 @@ std::vector<RankedLight> rankLocalLights(const scenes::Scene& scene, const scene
   return ranked;
 }
 
+std::size_t mostOf(LightLimit limit) {
+  if (limit == LightLimit::all) return std::numeric_limits<std::size_t>::max();
+  return limit == LightLimit::four ? kLightsPerObject : 0;
+}
+
 } // namespace
 
 std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const scenes::Scene& scene,
@@ -90,11 +96,16 @@ std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const
   return chosen;
 }
 
-std::vector<LightUse> countLightUse(const scenes::Scene& scene, std::span<const scenes::Light> lights, bool localLights,
+LightLimit lightLimitOf(const Options& options) {
+  if (!options.localLights) return LightLimit::none;
+  return options.lightCap ? LightLimit::four : LightLimit::all;
+}
+
+std::vector<LightUse> countLightUse(const scenes::Scene& scene, std::span<const scenes::Light> lights, LightLimit limit,
                                     std::span<const std::uint64_t> pixels) {
   std::vector<LightUse> uses(lights.size());
   const auto sun = scenes::brightestOf(lights, scenes::LightKind::directional);
-  const std::size_t kept = localLights ? kLightsPerObject : 0;
+  const std::size_t kept = mostOf(limit);
   for (std::uint32_t object = 0; object < scene.instances.size(); ++object) {
     if (pixels[object] == 0) continue;
     const auto count = [&](std::size_t light, float brightness, bool keeps) {
@@ -113,10 +124,10 @@ std::vector<LightUse> countLightUse(const scenes::Scene& scene, std::span<const 
   return uses;
 }
 
-bool mayDropLights(std::span<const scenes::Light> lights, bool localLights) {
+bool mayDropLights(std::span<const scenes::Light> lights, LightLimit limit) {
   const auto suns = std::ranges::count(lights, scenes::LightKind::directional, &scenes::Light::kind);
   const std::size_t locals = lights.size() - static_cast<std::size_t>(suns);
-  return suns > 1 || locals > (localLights ? kLightsPerObject : 0);
+  return suns > 1 || locals > mostOf(limit);
 }
 
 } // namespace parity::mobile

@@ -1,4 +1,4 @@
-// Which lights the mobile path evaluates, one sun and up to four local lights an object; and which it drops.
+// Which lights the mobile path evaluates, one sun and up to four local lights an object or all; and which it drops.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gpu/shaders/interface.h"
+#include "mobile/options.h"
 #include "paths/path.h"
 #include "scenes/scene.h"
 
@@ -25,14 +26,18 @@ std::vector<std::array<std::uint32_t, kLightsPerObject>> chooseLocalLights(const
 
 using paths::LightUse;
 
+// How many local lights an object is shaded with: none (they are baked), up to four, or all that there are.
+enum class LightLimit { none, four, all };
+
+LightLimit lightLimitOf(const Options& options);
+
 // Of each light, over the instances with pixels. Directional lights reach every object, all but the brightest are
-// dropped; of local lights those that an object's range and cone rule lets in and that are none of its four; all of
-// these where localLights is false (they are baked). A light that is black reaches nothing. pixels: a number for each
-// instance, 0: not asked about.
-std::vector<LightUse> countLightUse(const scenes::Scene& scene, std::span<const scenes::Light> lights, bool localLights,
+// dropped; of local lights those that an object's range and cone rule lets in and that are beyond its limit. A light
+// that is black reaches nothing. pixels: a number for each instance, 0: not asked about.
+std::vector<LightUse> countLightUse(const scenes::Scene& scene, std::span<const scenes::Light> lights, LightLimit limit,
                                     std::span<const std::uint64_t> pixels);
 
 // Whether countLightUse can find any to be dropped; quick.
-bool mayDropLights(std::span<const scenes::Light> lights, bool localLights);
+bool mayDropLights(std::span<const scenes::Light> lights, LightLimit limit);
 
 } // namespace parity::mobile

@@ -122,5 +122,9 @@ const std::vector<std::string>& diffuseTransmissionFormNames() {
   static const std::vector<std::string> names = {"none", "lambert"};
   return names;
 }
+const std::vector<std::string>& lightmapFormNames() {
+  static const std::vector<std::string> names = {"lq", "hq"};
+  return names;
+}
 
 } // namespace parity::mobile

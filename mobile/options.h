@@ -64,6 +64,10 @@ enum class TransmissionForm { none, alpha, refracted, mixed };
 // Diffuse light that passes through: none, or the other side's by Lambert's lobe.
 enum class DiffuseTransmissionForm { none, lambert };
 
+// The lightmap: Unreal Engine 4's low quality, 8 bits a channel; or the high-end path's, 16-bit floats of irradiance
+// with its direction.
+enum class LightmapForm { lq, hq };
+
 struct Options {
   std::string preset = "ue4-2020"; // the name of the set that the knobs began as
   EnvironmentBrdf environmentBrdf = EnvironmentBrdf::ue4;
@@ -83,7 +87,7 @@ struct Options {
   bool fullyRough = false, nonmetal = false;
   // Reflections of baked captures are those of the walls of the capture's box, as the high-end path has them.
   bool parallax = false;
-  bool localLights = true;          // up to four an object; false: all are baked
+  bool localLights = true;          // up to four an object (lightCap); false: all are baked
   bool spotShadow = false;          // of the one spot light that is the brightest (mobile/light_choice.h)
   float spotShadowSharpen = 1;      // about the middle of its soft edge, 1 to 8 (sharpenedShadow)
   float spotShadowFade = 1;         // how much of it is seen, 0 to 1
@@ -93,6 +97,9 @@ struct Options {
   float roughnessFloor = 0.015625f; // 0.015625^4 = 2^-24
   // What no preset sets.
   Precision precision = Precision::fp16;
+  bool lightCap = true;  // false: every local light, however many reach an object
+  bool pixelFog = false; // false: interpolated from the vertices
+  LightmapForm lightmap = LightmapForm::lq;
   gpu::OutputTarget target = gpu::OutputTarget::rgba16f;  // what its colour is stored in
   base::TextureBlock textures = base::TextureBlock::none; // what its material textures go through
 };
@@ -120,5 +127,6 @@ const std::vector<std::string>& anisotropyFormNames();          // "none", "bent
 const std::vector<std::string>& iridescenceFormNames();         // "none", "tint"
 const std::vector<std::string>& transmissionFormNames();        // "none", "alpha", "refracted", "mixed"
 const std::vector<std::string>& diffuseTransmissionFormNames(); // "none", "lambert"
+const std::vector<std::string>& lightmapFormNames();            // "lq", "hq"
 
 } // namespace parity::mobile

@@ -32,10 +32,25 @@ const gpu::EnvironmentMaps* environmentOf(const paths::Inputs& inputs, CaptureEn
   });
 }
 
-const gpu::BakedMaps* bakedOf(const paths::Inputs& inputs) {
+const gpu::BakedMaps* bakedOf(const paths::Inputs& inputs, LightmapForm form) {
   if (!inputs.baked) return nullptr;
   const base::Stopwatch watch(inputs.services.timings, "upload");
-  return inputs.store.get("mobile lightmap", [&] { return uploadBaked(inputs.device, *inputs.baked); });
+  return inputs.store.get(form == LightmapForm::hq ? "mobile lightmap hq" : "mobile lightmap",
+                          [&] { return uploadBaked(inputs.device, *inputs.baked, form); });
+}
+
+// The high-end path's lightmap has only the bounces of stationary local lights, which the mobile path shades nowhere
+// else.
+bool lacksLocalLights(const paths::Inputs& inputs) {
+  return inputs.baked && inputs.baked->localLights == lighting::LocalLights::isStationary &&
+         std::ranges::any_of(inputs.buffers.scene().lights,
+                             [](const scenes::Light& light) { return light.kind != scenes::LightKind::directional; });
+}
+
+// What acts: a lightmap that has all light.
+Options withWholeLightmap(Options options, const paths::Inputs& inputs) {
+  if (lacksLocalLights(inputs)) options.lightmap = LightmapForm::lq;
+  return options;
 }
 
 gpu::ShadowMaps* shadowsOf(const paths::Inputs& inputs, const Options& options) {
@@ -62,16 +77,19 @@ std::string nameIn(const std::vector<std::string>& names, auto enumerator) {
   return names.at(static_cast<std::size_t>(enumerator));
 }
 
-// With notes on what casts no shadow.
+// With notes on what casts no shadow, and on a lightmap that cannot be read. asked: before withWholeLightmap.
 class PathRenderer final : public Renderer {
 public:
-  PathRenderer(const paths::Inputs& inputs, const Inputs& mine, const Options& options)
+  PathRenderer(const paths::Inputs& inputs, const Inputs& mine, const Options& options, const Options& asked)
       : Renderer(inputs.device, inputs.buffers, inputs.binKinds, mine, options), m_maps(mine.shadows),
-        m_asksForAll(inputs.asksForShadows) {}
+        m_asksForAll(inputs.asksForShadows), m_replacesLightmap(options.lightmap != asked.lightmap) {}
 
   const gpu::ShadowMaps* shadowMaps() const override { return m_maps; }
   std::vector<std::string> notes() const override {
     std::vector<std::string> notes = Renderer::notes();
+    if (m_replacesLightmap)
+      notes.emplace_back(
+          "--mobile-lightmap hq has no effect: stationary lights are in the lightmap of low quality alone");
     if (m_maps && !m_maps->note().empty()) notes.push_back(m_maps->note());
     if (m_asksForAll)
       notes.emplace_back(m_maps ? "there is no baked light, so only lights with a shadow map cast shadows; see --baked"
@@ -81,7 +99,7 @@ public:
 
 private:
   const gpu::ShadowMaps* m_maps;
-  bool m_asksForAll;
+  bool m_asksForAll, m_replacesLightmap;
 };
 
 class MobilePath final : public paths::Path {
@@ -121,18 +139,18 @@ public:
 
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Inputs& inputs,
                                                 const paths::Options& options) const override {
-    const Options& own = options.of<Options>();
+    const Options own = withWholeLightmap(options.of<Options>(), inputs);
     const Inputs mine{.environment = environmentOf(inputs, own.capture),
                       .lights = inputs.light.lights,
                       .shadows = shadowsOf(inputs, own),
                       .textures = inputs.textures,
-                      .baked = bakedOf(inputs),
+                      .baked = bakedOf(inputs, own.lightmap),
                       .terms = inputs.terms,
                       .wide = inputs.wide,
                       .view = inputs.intermediate,
                       .compilation = inputs.compilation,
                       .expectedPixels = inputs.expectedPixels};
-    return std::make_unique<PathRenderer>(inputs, mine, own);
+    return std::make_unique<PathRenderer>(inputs, mine, own, options.of<Options>());
   }
 
   std::optional<gpu::TargetCodec> target(const paths::Options& options, const gpu::DeviceReport& device,
@@ -176,12 +194,12 @@ public:
   }
 
   bool mayDropLights(const std::vector<scenes::Light>& lights, const paths::Options& options) const override {
-    return mobile::mayDropLights(lights, options.of<Options>().localLights);
+    return mobile::mayDropLights(lights, lightLimitOf(options.of<Options>()));
   }
   std::vector<paths::LightUse> countLightUse(const scenes::Scene& scene, const std::vector<scenes::Light>& lights,
                                              const paths::Options& options,
                                              const std::vector<std::uint64_t>& samples) const override {
-    return mobile::countLightUse(scene, lights, options.of<Options>().localLights, samples);
+    return mobile::countLightUse(scene, lights, lightLimitOf(options.of<Options>()), samples);
   }
 
   // Forms of the preset refit, then shadows and storage, then the overrides of quality.
@@ -192,32 +210,38 @@ public:
       all.push_back({.name = "formulas",
                      .value = name,
                      .words = "environment BRDF and direct lobe of " + name,
+                     .approximation = "environment BRDF and direct lobe",
                      .values = {{"environment-brdf", nameIn(environmentBrdfNames(), preset.environmentBrdf)},
                                 {"direct-lobe", nameIn(directLobeNames(), preset.directLobe)}},
                      .proposed = name == "refit"});
     }
-    const auto add = [&](const char* knob, const char* value, const char* words) -> Change& {
-      return all.emplace_back(Change{.name = knob, .value = value, .words = words, .values = {{knob, value}}});
+    const auto add = [&](const char* knob, const char* value, const char* words, const char* approximation) -> Change& {
+      return all.emplace_back(Change{
+          .name = knob, .value = value, .words = words, .approximation = approximation, .values = {{knob, value}}});
     };
-    add("capture-scale", "occlusion", "reflections scaled by occlusion alone");
-    add("sky-sh", "9", "nine SH coefficients of the sky");
-    add("mobile-parallax", "on", "parallax of baked captures");
-    add("mobile-coat", "refit", "clear coat of refit");
-    add("mobile-sheen", "fit", "sheen");
-    add("mobile-anisotropy", "bent", "anisotropy by a bent normal");
-    add("mobile-iridescence", "tint", "thin films as a tint");
-    add("mobile-transmission", "mixed", "glass with a refracted read");
-    add("mobile-diffuse-transmission", "lambert", "diffuse transmission");
-    add("mobile-local-lights", "on", "four local lights");
-    add("mobile-sun-shadow", "on", "shadow map of the sun").ofShadows = true;
-    add("mobile-spot-shadow", "on", "shadow map of the brightest spot light").ofShadows = true;
-    add("capture", "fp16", "reflections stored in 16-bit floats");
-    add("precision", "fp32", "fp32 in place of half");
-    add("mobile-roughness-floor", "0", "no floor of the roughness");
-    add("mobile-target", "rgba16f", "render target of 16-bit floats");
-    add("mobile-textures", "none", "textures as they are");
-    add("mobile-fully-rough", "on", "fully rough").cheapens = true;
-    add("mobile-nonmetal", "on", "nonmetal").cheapens = true;
+    add("capture-scale", "occlusion", "reflections scaled by occlusion alone", "scale of reflections");
+    add("sky-sh", "9", "nine SH coefficients of the sky", "SH order of the sky");
+    add("mobile-parallax", "on", "parallax of baked captures", "reflections without parallax");
+    add("mobile-lightmap", "hq", "lightmap of high quality", "encoding of the lightmap");
+    add("mobile-pixel-fog", "on", "fog for each pixel", "fog at vertices");
+    add("mobile-coat", "refit", "clear coat of refit", "form of the clear coat");
+    add("mobile-sheen", "fit", "sheen", "form of the sheen");
+    add("mobile-anisotropy", "bent", "anisotropy by a bent normal", "form of the anisotropy");
+    add("mobile-iridescence", "tint", "thin films as a tint", "form of the iridescence");
+    add("mobile-transmission", "mixed", "glass with a refracted read", "form of the transmission");
+    add("mobile-diffuse-transmission", "lambert", "diffuse transmission", "form of the diffuse transmission");
+    add("mobile-local-lights", "on", "four local lights", "no local lights");
+    add("mobile-light-cap", "off", "all local lights", "cap of four local lights");
+    add("mobile-sun-shadow", "on", "shadow map of the sun", "no shadow map of the sun").ofShadows = true;
+    add("mobile-spot-shadow", "on", "shadow map of the brightest spot light", "no shadow map of the spot light")
+        .ofShadows = true;
+    add("capture", "fp16", "reflections stored in 16-bit floats", "storage of reflections");
+    add("precision", "fp32", "fp32 in place of half", "half precision");
+    add("mobile-roughness-floor", "0", "no floor of the roughness", "floor of the roughness");
+    add("mobile-target", "rgba16f", "render target of 16-bit floats", "format of the render target");
+    add("mobile-textures", "none", "textures as they are", "texture compression");
+    add("mobile-fully-rough", "on", "fully rough", "").cheapens = true;
+    add("mobile-nonmetal", "on", "nonmetal", "").cheapens = true;
     return all;
   }
 

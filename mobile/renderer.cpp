@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "mobile/formulas.h"
 #include "mobile/light_choice.h"
 #include "mobile_shaders/mobile_fp16.comp.h"
@@ -54,7 +55,7 @@ static_assert(kEngineMixing.begin == numbers::kMixingBegin && kEngineMixing.end 
               kEngineMixing.largest == numbers::kMixingLargest);
 
 // The shader's kKnobWords with PARITY_WIDE: the constants, at the head of pathData.
-constexpr std::size_t kKnobWords = 19;
+constexpr std::size_t kKnobWords = 22;
 
 // Bits of the shader's kShadowMaps.
 constexpr std::uint32_t kShadowOfSpot = 1, kShadowOfSun = 2;
@@ -82,7 +83,10 @@ std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t vie
           static_cast<std::uint32_t>(options.diffuseTransmission),
           options.fullyRough ? 1u : 0u,
           options.nonmetal ? 1u : 0u,
-          options.parallax ? 1u : 0u};
+          options.parallax ? 1u : 0u,
+          options.lightCap ? 1u : 0u,
+          options.pixelFog ? 1u : 0u,
+          static_cast<std::uint32_t>(options.lightmap)};
 }
 
 // kBaked... bits of what is read.
@@ -160,6 +164,13 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
       m_notes.push_back(fmt::format("{} local lights are dropped: the preset {} expects them in baked light",
                                     localCount, options.preset));
     lights.resize(sun ? 1 : 0);
+  } else if (!options.lightCap) {
+    if (localCount > gpu::kMaxLightsOfAPixel)
+      throw base::Error(base::ExitCode::failed, device.report().name, fmt::format("{} local lights", localCount),
+                        fmt::format("without --mobile-light-cap all of them reach every pixel, expected at most {}",
+                                    gpu::kMaxLightsOfAPixel));
+    m_uncappedLights = localCount;
+    program.localCount = static_cast<std::uint32_t>(localCount);
   } else if (localCount > 0) {
     std::set<std::uint32_t> used;
     for (const auto& slots : chooseLocalLights(scene.scene(), lights))

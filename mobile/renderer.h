@@ -19,7 +19,7 @@ struct Inputs {
   std::vector<scenes::Light> lights = {};            // all of the scene's, and the sun; the path takes what it can
   gpu::ShadowMaps* shadows = nullptr;      // with those of needsShadowMaps, fitted to what is shaded; null: none
   const gpu::Textures* textures = nullptr; // as the path stores them; null: the scene's as they are
-  // Read where the scene's buffers know of a lightmap, in the encodings of this path. Its sun shadow is that of the one
+  // Read where the scene's buffers know of a lightmap, in the options' encoding. Its sun shadow is that of the one
   // sun. Its captures are those of `environment`: each object has its own.
   const gpu::BakedMaps* baked = nullptr;
   bool terms = false;
@@ -52,7 +52,9 @@ public:
   std::string describeExcess(const scenes::Material& material) const override {
     return mobile::describeExcess(material, m_samplers);
   }
-  paths::RendererWork work() const override { return {.lightChoices = m_lightChoices}; }
+  paths::RendererWork work() const override {
+    return {.localLights = m_uncappedLights, .lightChoices = m_lightChoices};
+  }
   const gpu::ShadowMaps* shadowMaps() const override { return m_shadows; }
 
   // The lights whose shadow maps it reads with these inputs: the sun, the brightest spot light, both or none.
@@ -65,6 +67,7 @@ private:
   SamplerInputs m_samplers;
   bool m_readsBackdrop = false;
   std::size_t m_lightChoices = 0;
+  std::size_t m_uncappedLights = 0; // that every pixel takes
   std::vector<std::string> m_notes;
   std::unique_ptr<gpu::ShadingPass> m_pass;
 };

@@ -179,6 +179,7 @@ public:
   struct Change {
     std::string name, value;                                 // as a user writes them: "sky-sh", "9"
     std::string words;                                       // "nine SH coefficients of the sky"
+    std::string approximation;                               // that it takes back, in words; empty: none
     std::vector<std::pair<std::string, std::string>> values; // by id of the knob
     bool proposed = true;                                    // tried where the user names none
     bool cheapens = false;                                   // it is there to save time: no way to look alike

@@ -1,5 +1,6 @@
 // Where baked light of a surface's entry lies, and how its pages are read. To be included behind path.glsl. kBaked, a
 // specialization constant: kBaked... bits of interface.h.
+#include "shading/lightmap.glsl"
 
 bool hasLightmap(uint i) { return (kBaked & kBakedLightmap) != 0u && surfaceLightmap[i].z > 0.5; }
 
@@ -9,6 +10,16 @@ vec4 readLightmap(vec4 place, float lower) {
   float rows = 0.5 * float(textureSize(lightmapPages, 0).y);
   float row = clamp(place.y * rows, 0.5, rows - 0.5) + lower * rows;
   return textureLod(lightmapPages, vec3(place.x, row / (2.0 * rows), place.z - 1.0), 0.0);
+}
+
+// Of the high-end path's pages, at the shading normal n, of an entry that has a lightmap. Of a double-sided object (alpha 0)
+// what is stored is from everywhere, and the direction tells one side from the other. In fp32 in every path.
+vec3 lightmapIrradianceOverPi(uint i, Point p, vec3 n) {
+  vec4 place = surfaceLightmap[i];
+  vec4 stored = readLightmap(place, 0.0);
+  vec3 r = readLightmap(place, 1.0).xyz;
+  float ratio = stored.w > 0.5 ? directionalLightmapRatio(r, n, place.w * p.normal) : nonlinearIrradiance(r, n);
+  return max(stored.xyz, vec3(0.0)) * ratio;
 }
 
 // 1 where the entry has none.

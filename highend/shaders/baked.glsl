@@ -1,18 +1,7 @@
-// Baked light as the high-end path reads it: irradiance with its direction, and captures blended by distance, with box
-// parallax. To be included behind path.glsl, sky.glsl and kBaked.
+// Captures as the high-end path reads them: blended by distance, with box parallax. To be included behind path.glsl, sky.glsl
+// and kBaked.
 #include "gpu/shaders/baked.glsl"
 #include "shading/capture.glsl"
-#include "shading/lightmap.glsl"
-
-// At the shading normal n, of an entry that has a lightmap. Of a double-sided object (alpha 0) what is stored is from
-// everywhere, and the direction tells one side from the other.
-vec3 lightmapIrradianceOverPi(uint i, Point p, vec3 n) {
-  vec4 place = surfaceLightmap[i];
-  vec4 stored = readLightmap(place, 0.0);
-  vec3 r = readLightmap(place, 1.0).xyz;
-  float ratio = stored.w > 0.5 ? directionalLightmapRatio(r, n, place.w * p.normal) : nonlinearIrradiance(r, n);
-  return max(stored.xyz, vec3(0.0)) * ratio;
-}
 
 // How captures share in a point: by captureWeight, normalised; beyond the radius of all, the nearest alone.
 struct CaptureBlend {

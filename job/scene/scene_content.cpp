@@ -6,6 +6,8 @@ namespace parity::job {
 
 std::set<std::string> contentOf(const PreparedScene& prepared) {
   std::set<std::string> all = {""};
+  if (prepared.scene.fog) all.insert("fog");
+  if (prepared.baked && !prepared.baked->halfPages.empty()) all.insert("lightmap");
   for (const auto& [path, light] : prepared.lightOfPath) {
     const bool hasCaptures = prepared.baked && !prepared.baked->captures.empty();
     if (light.environment || hasCaptures) all.insert("environment");

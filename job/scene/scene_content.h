@@ -8,8 +8,8 @@
 
 namespace parity::job {
 
-// "environment", "environment capture", "directional light", "local light", "texture", "clear coat", ...; and "", which
-// every scene has.
+// "environment", "environment capture", "directional light", "local light", "fog", "lightmap", "texture", "clear coat",
+// ...; and "", which every scene has.
 std::set<std::string> contentOf(const PreparedScene& prepared);
 
 } // namespace parity::job

@@ -136,7 +136,11 @@ NoNeed SceneRenderer::reasons() const {
   if (m_prepared.baked && why.environment.empty()) why.environment = "the captures replace it";
   if (m_prepared.baked && why.local == "no local lights" && !m_prepared.scene.lights.empty())
     why.local = "they are baked";
-  why.lightChoice = work().localLights == 0 ? why.local : "the preset expects them baked";
+  const bool allTakeAll =
+      std::ranges::all_of(m_paths, [](const PathState& each) { return each.plain->work().localLights > 0; });
+  why.lightChoice = work().localLights == 0 ? why.local
+                    : allTakeAll            ? "every path takes all of them"
+                                            : "the preset expects them baked";
   why.droppedLights = settings.droppedLights > 0 ? "no light of a visible object is dropped" : "not requested";
   why.droppedLobes = settings.droppedLights > 0 ? "no lobe of a visible material is dropped" : "not requested";
   why.terms = why.occluders = why.costs = why.whatIfs = "not requested";

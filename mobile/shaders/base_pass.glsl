@@ -8,13 +8,20 @@ real4 readLightmapLQ(uint i, Point p, real3 N) {
   return GetLightMapColorLQ(real3(readLightmap(place, 0.0).xyz), real4(readLightmap(place, 1.0)), scales, vec3(N));
 }
 
+// Irradiance over pi, and its luminance.
+real4 readLightmapOf(uint i, Point p, real3 N) {
+  if (kLightmapForm != kLightmapFormHq) return readLightmapLQ(i, p, N);
+  real3 color = narrow(lightmapIrradianceOverPi(i, p, vec3(N)));
+  return real4(color, luminanceUE4(color));
+}
+
 // ComputeIndirect. An object with a lightmap has the sky's light in it (no ENABLE_SKY_LIGHT). Of refit the lightmap's light
 // scatters more than once between microfacets, too: as the high-end path has it, with the reflected light; and the lobe's
 // wide part takes it in place of the sky's.
 void computeIndirect(inout BasePass pass, inout Shaded s, Point p, uint i) {
   bool isBaked = hasLightmap(i);
   real4 LightmapColor = real4(R(0.0));
-  if (isBaked) LightmapColor = readLightmapLQ(i, p, s.frame.N);
+  if (isBaked) LightmapColor = readLightmapOf(i, p, s.frame.N);
   real3 IndirectColor =
       modulate(modulate(LightmapColor.xyz, s.context.DiffuseColor), real3(view.indirectColorScale.xyz));
   s.SkyDiffuseLighting = real3(R(0.0));
@@ -121,28 +128,35 @@ void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
   show(kViewColorAfterIBL, narrow(widen(kSkyAtOnce ? add(pass.Color, lit) : pass.Color)));
 }
 
-// AccumulateLightingOfDynamicPointLight, for the lights chosen per object.
+// AccumulateLightingOfDynamicPointLight, of one light.
+real3 addLocalLight(inout BasePass pass, Shaded s, Point p, GpuLight light) {
+  MobileLocalLight seen =
+      localLightAt(falloffOf(light), light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
+                   light.falloff.y, uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz, light.cone.x,
+                   light.directionCosOuter.w);
+  if ((kShadowMaps & kShadowOfSpot) != 0u) seen.color *= float(spotShadow(light, p));
+  real SpecularScale = real(light.cone.y);
+  MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, seen.L);
+#ifdef PARITY_LOBES
+  squeezeLight(Lighting, s.microfacets, s.sun, s.context, s.frame, seen.L);
+  addLayersLight(pass, s.layers, s.frame, s.NoV, seen.color, seen.L, SpecularScale, Lighting);
+  addThroughLight(pass, s.through, s.frame, seen.color, seen.L);
+#endif
+  real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
+  addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);
+  return lit;
+}
+
+// For the lights chosen per object, or with no cap for all, which lie behind the sun.
 void addLocalLights(inout BasePass pass, Shaded s, Point p) {
   real3 sum = real3(R(0.0));
-  for (uint k = 0u; k < kLightsPerObject; ++k) {
-    uint index = pathData[kKnobWords + p.instance * kLightsPerObject + k];
+  uint most = kLightsPerObject;
+  if (kLightCap == 0u) most = localCount();
+  for (uint k = 0u; k < most; ++k) {
+    uint index = directionalCount() + k;
+    if (kLightCap != 0u) index = pathData[kKnobWords + p.instance * kLightsPerObject + k];
     if (index == kNoLight) break;
-    GpuLight light = lights[index];
-    MobileLocalLight seen =
-        localLightAt(falloffOf(light), light.positionKind.xyz - p.position, light.colorRange.xyz, light.colorRange.w,
-                     light.falloff.y, uint(light.positionKind.w) == kLightSpot, light.directionCosOuter.xyz,
-                     light.cone.x, light.directionCosOuter.w);
-    if ((kShadowMaps & kShadowOfSpot) != 0u) seen.color *= float(spotShadow(light, p));
-    real SpecularScale = real(light.cone.y);
-    MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, seen.L);
-#ifdef PARITY_LOBES
-    squeezeLight(Lighting, s.microfacets, s.sun, s.context, s.frame, seen.L);
-    addLayersLight(pass, s.layers, s.frame, s.NoV, seen.color, seen.L, SpecularScale, Lighting);
-    addThroughLight(pass, s.through, s.frame, seen.color, seen.L);
-#endif
-    real3 lit = clampContribution65000(lightWith(seen.color, Lighting, SpecularScale));
-    addLight(pass, kTermLocalDiffuse, seen.color, Lighting, SpecularScale, lit);
-    sum = add(sum, lit);
+    sum = add(sum, addLocalLight(pass, s, p, lights[index]));
   }
   show(kViewDynamicPointLights, narrow(widen(sum)));
 }

@@ -2,7 +2,6 @@
 // the order in which the base pass adds up. Compiled in fp32 and, with PARITY_FP16, in half.
 #include "gpu/shaders/path.glsl"
 #include "mobile/shaders/views.h"
-#include "shading/lightmap.glsl"
 #include "shading/mips.glsl"
 #include "shading/mobile_base_pass.glsl"
 #ifdef PARITY_LOBES
@@ -18,7 +17,7 @@
 // The knobs of a preset (mobile/options.h): specialization constants, or with PARITY_WIDE data, so that one program serves
 // every set of them.
 #ifdef PARITY_WIDE
-const uint kKnobWords = 19u; // at the head of pathData, in the order of the constants
+const uint kKnobWords = 22u; // at the head of pathData, in the order of the constants
 #define kEnvironmentBrdf int(pathData[0])
 #define kSun int(pathData[1])
 #define kCaptureScale int(pathData[2])
@@ -38,6 +37,9 @@ const uint kKnobWords = 19u; // at the head of pathData, in the order of the con
 #define kForceFullyRough pathData[16]
 #define kForceNonmetal pathData[17]
 #define kParallax pathData[18]
+#define kLightCap pathData[19]
+#define kPixelFog pathData[20]
+#define kLightmapForm int(pathData[21])
 #else
 const uint kKnobWords = 0u;
 layout(constant_id = 8) const int kEnvironmentBrdf = 0; // kEnvironmentBrdf... of shading/mobile_base_pass.glsl
@@ -59,13 +61,17 @@ layout(constant_id = 23) const int kDiffuseTransmission = 0; // kDiffuseTransmis
 layout(constant_id = 24) const uint kForceFullyRough = 0u;
 layout(constant_id = 25) const uint kForceNonmetal = 0u;
 layout(constant_id = 26) const uint kParallax = 0u;
+layout(constant_id = 27) const uint kLightCap = 1u;     // four local lights an object; 0: all that there are
+layout(constant_id = 28) const uint kPixelFog = 0u;     // 0: fog of the vertices
+layout(constant_id = 29) const int kLightmapForm = 0;   // kLightmapForm... below
 #endif
 #include "gpu/shaders/baked.glsl"
+#include "gpu/shaders/fog.glsl"
 #include "gpu/shaders/local_light.glsl"
 #include "gpu/shaders/shadow_map.glsl"
 #include "mobile/shaders/shadow_maps.glsl"
 
-vec3 readFrom = vec3(0.0); // the pixel's position: where captures are read from
+vec3 readFrom = vec3(0.0); // the pixel's position: where captures are read from, and how far fog reaches
 vec3 shown = vec3(0.0);
 void show(uint view, real3 value) {
   if (kView == view) shown = vec3(value);
@@ -97,14 +103,14 @@ void addTerm(inout BasePass pass, int term, real3 value) {
   if (kWriteTerms != 0u) pass.terms.t[term] = vec3(narrow(widen(add(real3(pass.terms.t[term]), value))));
 }
 
-// What has been added up leaves as the target holds it: behind the vertices' fog, premultiplied, and finite unless
-// it is NaN.
+// What has been added up leaves as the target holds it: behind the fog, premultiplied, and finite unless it is NaN.
 void writePass(uint i, BasePass pass, float opacity) {
   real3 Color = narrow(widen(pass.Color));
   real3 VertexFog = real3(R(0.0));
   real VertexFogA = R(1.0);
   if (hasVertexData(kVertexFog)) {
     vec4 fog = vertexFog(i);
+    if (kPixelFog != 0u) fog = fogAt(readFrom);
     VertexFog = narrow(fog.xyz);
     VertexFogA = real(fog.w);
     Color = narrow(widen(add(product(Color, VertexFogA), VertexFog)));
@@ -141,6 +147,8 @@ MobileMaterial makeMaterial(Resolved r) {
 const int kSkyFormSh4 = 0;
 const int kSkyFormSh9 = 1;
 const int kSkyFormTinted = 2;
+const int kLightmapFormLq = 0;
+const int kLightmapFormHq = 1;
 
 TintedSky tintedSky() {
   TintedSky sky;

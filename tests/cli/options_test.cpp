@@ -60,6 +60,8 @@ const std::vector<Probe> kProbes = {
     {{"--capture", "fp16"}},
     {{"--direct-lobe", "d-approx"}, "spheres", "mobile", kSun},
     {{"--no-mobile-local-lights"}, "lamps"},
+    {{"--no-mobile-light-cap"}, "lamps"},
+    {{"--mobile-pixel-fog"}, "lamps", "mobile", kFog},
     {{"--mobile-roughness-floor", "0.9"}},
     {{"--mobile-target", "rgba8-srgb"}},
     {{"--mobile-textures", "astc6x6"}},

@@ -63,18 +63,24 @@ TEST(Knobs, SetTheirMemberAndNoOther) {
 }
 
 // A command may begin with a precision of its own, as `bench` does.
-TEST(Knobs, APresetLeavesPrecisionTargetAndTextures) {
+TEST(Knobs, APresetLeavesWhatNoPresetSets) {
   Settings settings;
   auto& mobile = settings.of<mobile::Options>();
   mobile.precision = mobile::Precision::fp32;
   mobile.target = gpu::OutputTarget::r11g11b10f;
   mobile.textures = base::TextureBlock::astc4x4;
+  mobile.lightCap = false;
+  mobile.pixelFog = true;
+  mobile.lightmap = mobile::LightmapForm::hq;
   const Settings changed = withKnobs(settings, {{"mobile-preset", {{"refit"}, "--mobile-preset"}}});
   const auto& refit = changed.of<mobile::Options>();
   EXPECT_EQ(refit.preset, "refit");
   EXPECT_EQ(refit.precision, mobile::Precision::fp32);
   EXPECT_EQ(refit.target, gpu::OutputTarget::r11g11b10f);
   EXPECT_EQ(refit.textures, base::TextureBlock::astc4x4);
+  EXPECT_FALSE(refit.lightCap);
+  EXPECT_TRUE(refit.pixelFog);
+  EXPECT_EQ(refit.lightmap, mobile::LightmapForm::hq);
 }
 
 TEST(Knobs, PathsAreTwoKnownOnesAtLeast) {

@@ -1,7 +1,8 @@
-// What may be freed of a scene while it is rendered.
+// What may be freed of a scene while it is rendered; what a scene has.
 #include <gtest/gtest.h>
 
 #include "job/scene/prepared_scene.h"
+#include "job/scene/scene_content.h"
 
 namespace parity::job {
 namespace {
@@ -29,6 +30,17 @@ TEST(ImageRelease, LeavesThemWhereTheTruthLetsLightThroughMasks) {
   PreparedScene prepared = makePrepared();
   prepared.settings.shadows = true;
   EXPECT_FALSE(imageRelease(prepared, {.chosen = {}, .truth = true}));
+}
+
+TEST(SceneContent, HasFogAndLightmapsWhereTheyAre) {
+  PreparedScene prepared = makePrepared();
+  EXPECT_EQ(contentOf(prepared), (std::set<std::string>{""}));
+  prepared.scene.fog = scenes::Fog{};
+  const auto baked = std::make_shared<bake::BakedLight>();
+  prepared.baked = baked; // of captures alone
+  EXPECT_EQ(contentOf(prepared), (std::set<std::string>{"", "fog"}));
+  baked->halfPages.emplace_back(2, 4, 4);
+  EXPECT_EQ(contentOf(prepared), (std::set<std::string>{"", "fog", "lightmap"}));
 }
 
 } // namespace

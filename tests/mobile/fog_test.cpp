@@ -1,4 +1,5 @@
-// Fog in both paths: at the pixel in high-end, at the vertices in mobile, over every term and every kind of surface.
+// Fog in both paths: at the pixel in high-end, at the vertices in mobile or where asked for at the pixel, over every
+// term and every kind of surface.
 #include "support/path_quad.h"
 
 #include "highend/renderer.h"
@@ -88,10 +89,17 @@ protected:
           {.model = {.diffuse = highend::DiffuseLobe::lambert}, .compensation = highend::Compensation::none});
     });
   }
-  std::vector<SeenPoint> shadeMobile(const scenes::Scene& scene, const scenes::Camera& camera) {
+  std::vector<SeenPoint> shadeMobile(const scenes::Scene& scene, const scenes::Camera& camera,
+                                     const Options& options = tests::inFp32("ue4-2020"), bool wide = false) {
     return shadeAll(scene, camera, [&](const auto& buffers, const auto& kinds) {
-      return Renderer(device(), buffers, kinds, {.terms = true}, tests::inFp32("ue4-2020"));
+      return Renderer(device(), buffers, kinds, {.terms = true, .wide = wide}, options);
     });
+  }
+  static Options atPixels(Precision precision = Precision::fp32) {
+    Options options = tests::inFp32("ue4-2020");
+    options.precision = precision;
+    options.pixelFog = true;
+    return options;
   }
   static void expectFog(const SeenPoint& point, double transmittance) {
     const glm::vec3 glow(1, 2, 3);
@@ -121,6 +129,31 @@ TEST_F(FogTest, MobileInterpolatesThatOfTheVertices) {
   EXPECT_GT(largest, 0.3) << "a coarse mesh shows it coarsely";
 }
 
+TEST_F(FogTest, MobileEvaluatesItAtThePixelWhereAskedFor) {
+  for (const bool wide : {false, true}) {
+    for (const SeenPoint& point : shadeMobile(makeWall(1), makeCamera(), atPixels(), wide))
+      expectFog(point, transmittanceAt({point.place, 0}));
+    if (!device().report().float16) continue;
+    for (const SeenPoint& point : shadeMobile(makeWall(1), makeCamera(), atPixels(Precision::fp16), wide)) {
+      const double t = transmittanceAt({point.place, 0});
+      EXPECT_NEAR(point.shaded[Term::fog].x, kFog.color.x * (1 - t), 1e-3);
+      EXPECT_NEAR(point.shaded[Term::emissive].x, t, 1e-3);
+    }
+  }
+}
+
+TEST_F(FogTest, OfAFineMeshThatOfThePixelsIsThatOfTheVertices) {
+  const std::vector<SeenPoint> vertices = shadeMobile(makeWall(64), makeCamera()),
+                               pixels = shadeMobile(makeWall(64), makeCamera(), atPixels());
+  double largest = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const double difference = std::abs(pixels[i].shaded[Term::fog].x - vertices[i].shaded[Term::fog].x);
+    EXPECT_LT(difference, 2.5e-3);
+    largest = std::max(largest, difference);
+  }
+  EXPECT_GT(largest, 0) << "they are not the same to the last bit";
+}
+
 TEST_F(FogTest, AFineMeshShowsTheSameInBothPaths) {
   for (const SeenPoint& point : shadeMobile(makeWall(64), makeCamera()))
     EXPECT_NEAR(point.shaded[Term::fog].x, kFog.color.x * (1 - transmittanceAt({point.place, 0})), 2e-3);
@@ -130,7 +163,8 @@ TEST_F(FogTest, OfAnOrthographicCameraBeginsAtItsPlane) {
   const double expected = f64::heightFogTransmittance({kFog.density, 0, 0, kFog.startDistance, 1}, 0, 0, kDistance);
   scenes::Scene scene = makeWall(1);
   scene.fog->heightFalloff = 0;
-  for (const auto& points : {shadeHighend(scene, makeCamera(true)), shadeMobile(scene, makeCamera(true))})
+  for (const auto& points : {shadeHighend(scene, makeCamera(true)), shadeMobile(scene, makeCamera(true)),
+                             shadeMobile(scene, makeCamera(true), atPixels())})
     for (const SeenPoint& point : points) expectFog(point, expected);
 }
 
@@ -139,6 +173,8 @@ TEST_F(FogTest, UnlitSurfacesHaveItToo) {
   scene.materials[0].unlit = true;
   scene.materials[0].baseColor = {1, 2, 3, 1};
   for (const SeenPoint& point : shadeHighend(scene, makeCamera())) expectFog(point, transmittanceAt({point.place, 0}));
+  for (const SeenPoint& point : shadeMobile(scene, makeCamera(), atPixels()))
+    expectFog(point, transmittanceAt({point.place, 0}));
   const std::vector<SeenPoint> points = shadeMobile(scene, makeCamera());
   EXPECT_GT(points[0].shaded[Term::fog].x, 0.1f);
   tests::expectNear(points[0].shaded[Term::emissive],

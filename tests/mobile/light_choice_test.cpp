@@ -64,7 +64,8 @@ TEST(LightChoice, RanksEachLightByItsOwnFalloff) {
   EXPECT_EQ(chooseLocalLights(scene, lights)[0], (std::array<std::uint32_t, 4>{1, 0, 2, kNoLight}));
   const std::uint64_t pixels[] = {3};
   const double share = (5 - std::sqrt(2.0)) / 4;
-  EXPECT_NEAR(countLightUse(scene, lights, false, pixels)[2].effect, 3 * 10 * std::pow(1 - share * share, 4.4), 1e-4);
+  EXPECT_NEAR(countLightUse(scene, lights, LightLimit::none, pixels)[2].effect,
+              3 * 10 * std::pow(1 - share * share, 4.4), 1e-4);
 }
 
 TEST(LightChoice, IsMadePerObject) {
@@ -90,7 +91,7 @@ TEST(LightUse, DroppedAreThoseBeyondFourThatReach) {
   lights.back().direction = {0, 0, 1}; // shines away from both
   lights.back().outerConeAngle = 0.3f;
   const std::uint64_t pixels[] = {10, 30};
-  const std::vector<LightUse> uses = countLightUse(scene, lights, true, pixels);
+  const std::vector<LightUse> uses = countLightUse(scene, lights, LightLimit::four, pixels);
   ASSERT_EQ(uses.size(), lights.size());
   for (const std::size_t kept : {0, 1, 2, 3, 6}) { // of equal ones the first
     EXPECT_EQ(uses[kept].keptBy, 1u) << kept;
@@ -117,7 +118,7 @@ TEST(LightUse, AgreesWithWhatEachObjectIsGiven) {
     lights.push_back(makeLight(scenes::LightKind::point, 1 + static_cast<float>(i % 5), {static_cast<float>(i), 1, 2}));
   const auto chosen = chooseLocalLights(scene, lights);
   const std::uint64_t pixels[] = {1, 1, 0, 1, 1};
-  const std::vector<LightUse> uses = countLightUse(scene, lights, true, pixels);
+  const std::vector<LightUse> uses = countLightUse(scene, lights, LightLimit::four, pixels);
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     std::size_t kept = 0;
     std::vector<std::uint32_t> without;
@@ -139,7 +140,7 @@ TEST(LightUse, AllSunsButOneAreDroppedAndBakedLightsWithoutException) {
   const std::vector<scenes::Light> lights = {makeLight(directional, 2), makeLight(directional, 3), makeLight(point, 5),
                                              makeLight(directional, 0), makeLight(directional, 3)};
   const std::uint64_t pixels[] = {7};
-  const std::vector<LightUse> uses = countLightUse(scene, lights, true, pixels);
+  const std::vector<LightUse> uses = countLightUse(scene, lights, LightLimit::four, pixels);
   const std::vector<std::uint32_t> theQuad = {0}, none = {};
   EXPECT_EQ(uses[0].droppedBy, theQuad);
   EXPECT_FLOAT_EQ(static_cast<float>(uses[0].effect), 2 * 7);
@@ -147,9 +148,9 @@ TEST(LightUse, AllSunsButOneAreDroppedAndBakedLightsWithoutException) {
   EXPECT_EQ(uses[2].keptBy, 1u);
   EXPECT_EQ(uses[3].keptBy + uses[3].droppedBy.size(), 0u) << "a black light";
   EXPECT_EQ(uses[4].droppedBy, theQuad) << "as bright as the first";
-  EXPECT_EQ(countLightUse(scene, lights, false, pixels)[2].droppedBy, theQuad);
+  EXPECT_EQ(countLightUse(scene, lights, LightLimit::none, pixels)[2].droppedBy, theQuad);
   const std::uint64_t unseen[] = {0};
-  for (const LightUse& use : countLightUse(scene, lights, false, unseen)) EXPECT_EQ(use.droppedBy, none);
+  for (const LightUse& use : countLightUse(scene, lights, LightLimit::none, unseen)) EXPECT_EQ(use.droppedBy, none);
 }
 
 // Within an object's sphere the rank is that of the light itself: it would outweigh all that other objects lack.
@@ -158,21 +159,55 @@ TEST(LightUse, TheEffectOfALightWithinAnObjectIsBounded) {
   std::vector<scenes::Light> lights(2, makeLight(scenes::LightKind::point, 3, {0, 0, 0.2f}));
   lights[1].range = 0.3f; // fades before it lights all of the object
   const std::uint64_t pixels[] = {5};
-  for (const LightUse& use : countLightUse(scene, lights, false, pixels))
+  for (const LightUse& use : countLightUse(scene, lights, LightLimit::none, pixels))
     EXPECT_NEAR(use.effect, 3 / 0.5 * 5, 1e-3); // half the radius of sqrt(2), squared
 }
 
-TEST(LightUse, NothingCanBeDroppedOfFewLights) {
+TEST(LightUse, WithoutALimitOnlySunsAreDropped) {
+  using enum scenes::LightKind;
+  const scenes::Scene scene = tests::makeQuadScene();
+  std::vector<scenes::Light> lights(6, makeLight(point, 5));
+  lights[5].range = 1; // ends before the quad
+  lights.push_back(makeLight(directional, 2));
+  lights.push_back(makeLight(directional, 3));
+  const std::uint64_t pixels[] = {7};
+  const auto droppedBy = [&](LightLimit limit) {
+    std::vector<std::size_t> dropped;
+    const std::vector<LightUse> uses = countLightUse(scene, lights, limit, pixels);
+    for (std::size_t i = 0; i < uses.size(); ++i)
+      if (!uses[i].droppedBy.empty()) dropped.push_back(i);
+    return dropped;
+  };
+  EXPECT_EQ(droppedBy(LightLimit::none), (std::vector<std::size_t>{0, 1, 2, 3, 4, 6}));
+  EXPECT_EQ(droppedBy(LightLimit::four), (std::vector<std::size_t>{4, 6}));
+  EXPECT_EQ(droppedBy(LightLimit::all), (std::vector<std::size_t>{6}));
+  for (const std::size_t kept : {0, 3, 4, 7})
+    EXPECT_EQ(countLightUse(scene, lights, LightLimit::all, pixels)[kept].keptBy, 1u) << kept;
+}
+
+TEST(LightUse, NothingCanBeDroppedOfFewLightsNorWithoutALimit) {
   using enum scenes::LightKind;
   std::vector<scenes::Light> lights(4, makeLight(point, 5));
   lights.push_back(makeLight(directional, 1));
-  EXPECT_FALSE(mayDropLights(lights, true));
-  EXPECT_TRUE(mayDropLights(lights, false));
-  EXPECT_FALSE(mayDropLights(std::span(lights).last(1), false));
+  EXPECT_FALSE(mayDropLights(lights, LightLimit::four));
+  EXPECT_FALSE(mayDropLights(lights, LightLimit::all));
+  EXPECT_TRUE(mayDropLights(lights, LightLimit::none));
+  EXPECT_FALSE(mayDropLights(std::span(lights).last(1), LightLimit::none));
   lights.push_back(makeLight(directional, 1));
-  EXPECT_TRUE(mayDropLights(lights, true));
+  EXPECT_TRUE(mayDropLights(lights, LightLimit::four));
+  EXPECT_TRUE(mayDropLights(lights, LightLimit::all)) << "two suns";
   lights[5].kind = spot;
-  EXPECT_TRUE(mayDropLights(lights, true));
+  EXPECT_TRUE(mayDropLights(lights, LightLimit::four));
+  EXPECT_FALSE(mayDropLights(lights, LightLimit::all));
+}
+
+TEST(LightUse, TheLimitIsWhatTheOptionsSay) {
+  Options options = presetByName("ue4-2020");
+  EXPECT_EQ(lightLimitOf(options), LightLimit::four);
+  options.lightCap = false;
+  EXPECT_EQ(lightLimitOf(options), LightLimit::all);
+  options.localLights = false;
+  EXPECT_EQ(lightLimitOf(options), LightLimit::none) << "they are baked";
 }
 
 TEST(Presets, TheReflectionIsScaledByWhatTheCubeIs) {

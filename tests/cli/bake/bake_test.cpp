@@ -210,8 +210,9 @@ TEST_F(BakeRepeatTest, CapturesAreTheSameEachTime) {
   EXPECT_TRUE(readFolder(m_folder / "one") == readFolder(m_folder / "two"));
 }
 
-// Captures are read by the walls of their box where that is asked for. The room has a metal ball within its box.
-TEST_F(BakedTest, ParallaxMakesAnotherPictureOfARoom) {
+// Captures are read by the walls of their box, and the lightmap of high quality, where that is asked for. The room has
+// a metal ball within its box.
+TEST_F(BakedTest, ParallaxAndTheFormOfTheLightmapMakeOtherPicturesOfARoom) {
   const std::string folder = path("captured");
   ASSERT_TRUE(exitedWith(0, run(join({{"bake", "builtin:room", "-o", folder}, kCapturedBake}))));
   const auto draw = [&](const std::vector<std::string>& more) {
@@ -221,7 +222,9 @@ TEST_F(BakedTest, ParallaxMakesAnotherPictureOfARoom) {
     EXPECT_TRUE(exitedWith(0, drawn));
     return readWholeFile(path("p.exr"));
   };
-  EXPECT_TRUE(draw({}) != draw({"--mobile-parallax"}));
+  const std::string plain = draw({});
+  EXPECT_TRUE(plain != draw({"--mobile-parallax"}));
+  EXPECT_TRUE(plain != draw({"--mobile-lightmap", "hq"}));
 }
 
 TEST_F(BakeRepeatTest, NotesOfManyMeshesAreCutShortUnlessAskedFor) {
