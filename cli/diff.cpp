@@ -42,6 +42,7 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   request.approvals = command.verdict.approvals;
   request.asOf = command.verdict.asOf;
   request.findEarlier = findEarlierRuns(command.verdict.history);
+  request.explain = explainerOf(command.verdict);
   std::vector<NamedFile> inputs = inputFiles(command.common, command.verdict, request.scenes);
   inputs.push_back({"the suite", command.suite});
   inputs.push_back({"the suite's budgets", request.suiteBudgets.value_or("")});

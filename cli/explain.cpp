@@ -29,7 +29,7 @@ int runExplainCommand(const ExplainCommand& command, const std::string& commandL
   bool failed = false;
   for (const job::SceneRequest& request : run.scenes) {
     try {
-      scenes.push_back(explain::explainScene(context, request, command.switches, budgets.of(request),
+      scenes.push_back(explain::explainScene(context, request, {.switches = command.switches}, budgets.of(request),
                                              progressOfScene(progress, scenes.size(), run.scenes.size())));
     } catch (const std::exception& error) {
       // What was found so far is not lost; what is wrong with the command line, or with the only scene, is told as

@@ -55,6 +55,7 @@ struct VerdictOptions {
   std::string approvals, asOf; // a file of approvals, and the day that counts (ISO 8601); empty: none, today
   std::string history;         // folder of the runs that say what is new; empty: the baseline does
   report::FailOn failOn = report::FailOn::any;
+  bool explains = false; // materials over budget
   SummaryTarget summary;
   bool allRows = false; // of the table, also those that pass
 };

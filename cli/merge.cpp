@@ -23,7 +23,8 @@ int runMergeCommand(const MergeCommand& command) {
                       .warningsFail = command.verdict.warnExit,
                       .approvals = command.verdict.approvals,
                       .asOf = command.verdict.asOf,
-                      .findEarlier = findEarlierRuns(command.verdict.history)},
+                      .findEarlier = findEarlierRuns(command.verdict.history),
+                      .explain = explainerOf(command.verdict)},
                      makeProgress(command.quiet));
   return tellReport(result, {.folder = command.folder,
                              .singleFile = plan.request.singleFile,

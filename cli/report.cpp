@@ -77,7 +77,8 @@ job::ReportResult reportByWorkers(const ReportCommand& command, job::Context& co
                                                    .whyMissing = work.why,
                                                    .bench = request.bench,
                                                    .warningsFail = request.warningsFail,
-                                                   .findEarlier = request.findEarlier},
+                                                   .findEarlier = request.findEarlier,
+                                                   .explain = request.explain},
                                                   progress);
   if (work.missing == 0) std::filesystem::remove_all(folder, none);
   return result;

@@ -20,6 +20,7 @@
 #include "report/earlier_runs.h"
 #include "report/standing.h"
 #include "report/summary/summary.h"
+#include "study/explain/report_explanation.h"
 #include "study/sweep/pareto_svg.h"
 #include "study/sweep/sweep_json.h"
 
@@ -77,6 +78,10 @@ report::FindEarlierRuns findEarlierRuns(const std::string& folder) {
       };
 }
 
+job::AddToReport explainerOf(const VerdictOptions& verdict) {
+  return verdict.explains ? job::AddToReport(explain::explainReport) : job::AddToReport();
+}
+
 job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest& run, const std::string& commandLine) {
   if (command.singleFile && !report::hasDashboard())
     throw base::Error(base::ExitCode::usage, "--single-file", "", "this build of parity has no page index.html");
@@ -94,6 +99,7 @@ job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest&
   request.commandLine = commandLine;
   request.warningsFail = command.verdict.warnExit;
   request.findEarlier = findEarlierRuns(command.verdict.history);
+  request.explain = explainerOf(command.verdict);
   request.again = againCommands(request.scenes, {command.suite, command.common.environments}, command.kept);
   if (command.sentinel)
     request.sentinels =

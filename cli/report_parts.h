@@ -14,6 +14,9 @@ namespace parity::cli {
 // computed. folder empty: nothing.
 report::FindEarlierRuns findEarlierRuns(const std::string& folder);
 
+// Of --explain; empty where it is not given.
+job::AddToReport explainerOf(const VerdictOptions& verdict);
+
 // All that is asked for but the folder and the bench. run: as runRequest gives it.
 job::ReportRequest reportRequest(const ReportCommand& command, const RunRequest& run, const std::string& commandLine);
 

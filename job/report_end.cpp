@@ -197,6 +197,22 @@ void ReportEnd::keepApprovedPictures(const report::EarlierRuns& earlier, std::ve
     writePictures(kept, m_request.folder);
 }
 
+// What a signal has stopped is not explained either.
+void ReportEnd::explain(Context& context, report::Report& report, std::vector<EncodedPicture>& pictures,
+                        const Progress& progress) const {
+  if (!m_request.explain || context.stoppedBy() != 0) return;
+  const base::Stopwatch watch(&context.timings(), "explain");
+  KeepPicture keep;
+  if (!m_request.folder.empty() && m_request.pictures != Pictures::none)
+    keep = [&](EncodedPicture picture) {
+      if (m_request.singleFile)
+        pictures.push_back(std::move(picture));
+      else
+        writePictures({std::move(picture)}, m_request.folder);
+    };
+  m_request.explain(context, m_request, m_budgets, report, keep, progress);
+}
+
 // A machine whose device is gone by now has its report all the same.
 void ReportEnd::setOrigin(Context& context, report::RunOrigin& origin) const {
   origin.build = m_facts.build.empty() ? hashOfThisBuild() : m_facts.build;
@@ -257,6 +273,7 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
                                 {report::reportFileOf(m_request.baseline).string(), context.settings().materials,
                                  m_request.oneOfMany, m_request.only});
   if (m_baselinePictures) keepBaselinePictures(report, pictures);
+  explain(context, report, pictures, progress);
   logAccepted(report);
   for (const std::string& incident : result.run.incidents) base::logWarning(incident);
   base::logRunWarnings(report.warnings);

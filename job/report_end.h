@@ -55,6 +55,8 @@ private:
   void holdBudgets(const Settings& settings, report::Report& report) const;
   void holdApprovals(const Settings& settings, report::Report& report) const;
   void keepBaselinePictures(report::Report& report, std::vector<EncodedPicture>& pictures) const;
+  void explain(Context& context, report::Report& report, std::vector<EncodedPicture>& pictures,
+               const Progress& progress) const;
   void keepApprovedPictures(const report::EarlierRuns& earlier, std::vector<EncodedPicture>& pictures) const;
 
   const ReportRequest& m_request;

@@ -3,17 +3,28 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "job/scene_request.h"
 #include "job/settings.h"
+#include "job/view/view_pictures.h"
 #include "report/page.h"
 
 namespace parity::job {
 
 class Context;
+class RunBudgets;
+struct ReportRequest;
+
+// Takes a picture of a report that is nearly finished.
+using KeepPicture = std::function<void(EncodedPicture)>;
+
+// Adds to a report that has its verdicts; pictures go to `keep`, which is empty where there are none.
+using AddToReport = std::function<void(Context& context, const ReportRequest& request, const RunBudgets& budgets,
+                                       report::Report& report, const KeepPicture& keep, const Progress& progress)>;
 
 // Which views' pictures a report has, and the values behind them: of all, of those with a row that is no pass, of none.
 enum class Pictures { all, notPassed, none };
@@ -37,6 +48,7 @@ struct ReportRequest {
   std::vector<report::AgainCommand> again = {}; // for run.json
   bool warningsFail = false;                    // for run.json and junit.xml
   report::FindEarlierRuns findEarlier = {};     // for the page; empty: no history
+  AddToReport explain = {};                     // explains materials over budget; empty: it is not asked for
   std::vector<std::size_t> sentinels = {}; // places of scenes that are compared although the cache has them, in order
 };
 

@@ -90,7 +90,7 @@ private:
                        .verdict = each.verdict,
                        .figures = each.figures,
                        .truth = each.truth,
-                       .cause = each.attribution ? describeCause(*each.attribution, view.reference) : "",
+                       .cause = describeCauses(each, view.reference),
                        .reason = whyOf(each.reason, each.accepted)});
     return lines;
   }

@@ -26,11 +26,9 @@ std::string format(const Annotation& annotation, const std::filesystem::path& ro
 }
 
 std::string describe(compare::Verdict verdict, const std::string& reason, const compare::Figures& figures,
-                     const ViewResult& view, const compare::AppliedRule& rule,
-                     const std::optional<compare::Attribution>& attribution) {
+                     const ViewResult& view, const compare::AppliedRule& rule, const std::string& cause) {
   std::string message = fmt::format("{}: {}", nameOf(verdict), reason);
   if (figures.pixels > 0) message += "\n" + compare::describeBias(figures, view.test);
-  const std::string cause = attribution ? describeCause(*attribution, view.reference) : "";
   if (!cause.empty()) message += "\nCause: " + cause;
   if (!rule.reason.empty()) message += "\nReason for the budget: " + rule.reason;
   if (!rule.owner.empty()) message += "\nOwner: " + rule.owner;
@@ -56,14 +54,14 @@ std::vector<Annotation> collect(const Report& report) {
       const std::string place = fmt::format("{}, view {}", scene.name, view.name);
       if (view.wholeVerdict != compare::Verdict::pass)
         all.push_back({view.wholeVerdict, fmt::format("parity: whole image ({})", place),
-                       describe(view.wholeVerdict, view.reason, view.whole, view, view.rule, std::nullopt),
-                       view.rule.file, view.rule.line});
+                       describe(view.wholeVerdict, view.reason, view.whole, view, view.rule, ""), view.rule.file,
+                       view.rule.line});
       for (const MaterialResult& material : view.materials)
         if (material.verdict != compare::Verdict::pass && !material.seenElsewhere)
-          all.push_back(
-              {material.verdict, fmt::format("parity: {} ({})", material.name, place),
-               describe(material.verdict, material.reason, material.figures, view, material.rule, material.attribution),
-               material.rule.file, material.rule.line});
+          all.push_back({material.verdict, fmt::format("parity: {} ({})", material.name, place),
+                         describe(material.verdict, material.reason, material.figures, view, material.rule,
+                                  describeCauses(material, view.reference)),
+                         material.rule.file, material.rule.line});
     }
   }
   if (countNotRun(report) > 0) all.push_back({compare::Verdict::notRun, "parity", describeNotRun(report)});

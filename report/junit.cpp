@@ -157,7 +157,7 @@ std::string againLine(compare::Verdict verdict, const std::string& command) {
 
 std::string materialDetails(const MaterialResult& material, const std::string& reference) {
   std::string details = figureLines(material.figures, material.test, material.checks);
-  const std::string cause = material.attribution ? describeCause(*material.attribution, reference) : "";
+  const std::string cause = describeCauses(material, reference);
   if (!cause.empty()) details += "cause: " + cause + "\n";
   for (const std::string& note : material.notes) details += "note: " + note + "\n";
   return details + baselineLines(material.baseline) + ruleLines(material.rule);

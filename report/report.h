@@ -16,6 +16,7 @@
 #include "compare/pooling/figures.h"
 #include "compare/verdict/check.h"
 #include "report/dropped_lights.h"
+#include "report/explanation.h"
 #include "report/material_card.h"
 #include "report/pass.h"
 #include "report/permutation.h"
@@ -92,6 +93,7 @@ struct MaterialResult {
   std::optional<compare::Attribution> attribution; // of a material over budget, or as the run was asked
   std::vector<DroppedLobe> droppedLobes;           // that the test path leaves out, where the run was asked
   std::vector<WhatIf> whatIf;                      // of a material that is seen, as --what-if asks
+  std::optional<Explanation> explanation;          // of a material over budget, as --explain asks
   bool seenElsewhere = false; // set by settleVerdicts: not seen here, but in another view, so it does not count
 };
 

@@ -242,8 +242,7 @@ std::string formatView(const SceneResult& scene, const ViewResult& view, const s
     if (!isShown(material)) continue;
     out +=
         formatRow({material.name, material.test, material.verdict, material.figures, material.baseline, material.truth,
-                   material.stages, material.reason,
-                   material.attribution ? describeCause(*material.attribution, view.reference) : "", material.accepted},
+                   material.stages, material.reason, describeCauses(material, view.reference), material.accepted},
                   layout, options);
     if (!material.droppedLobes.empty())
       out += "    " + indented(describeDroppedLobes(material, view.reference, view.test), options);

@@ -54,4 +54,11 @@ std::string describeCause(const compare::Attribution& attribution, const std::st
                      compare::formatFigure("flip.mean", best->flip), titleOf(reference));
 }
 
+std::string describeCauses(const MaterialResult& material, const std::string& reference) {
+  std::string words = material.attribution ? describeCause(*material.attribution, reference) : "";
+  if (material.explanation && !material.explanation->words.empty())
+    words += (words.empty() ? "" : "; ") + material.explanation->words;
+  return words;
+}
+
 } // namespace parity::report

@@ -23,6 +23,8 @@ std::string whyNoUrl(const std::string& url) {
   return isUrl ? "" : "'" + url + "' is not an address that begins with https:// or http://";
 }
 
+constexpr const char* kExplainNames[] = {"none", "over-budget"};
+
 template <std::size_t count> std::size_t placeOf(const char* const (&names)[count], const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(names, name) - std::begin(names));
 }
@@ -52,6 +54,13 @@ void addOutcomeOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw) 
                  "how its figures went. Default: --baseline says what is new")
       ->type_name(kFolder)
       ->group("Verdict");
+  choose(
+      app.add_option("--explain", raw.explain,
+                     "over-budget: also say of each material that fails or warns which approximation makes it, what\n"
+                     "would help and what that costs. Takes seconds for each scene that has such a material"),
+      {kExplainNames[0], kExplainNames[1]})
+      ->group("Verdict")
+      ->capture_default_str();
   CLI::Option* summary =
       app.add_option("--summary", verdict.summary.file,
                      "Also write a summary to this file: what is new, still failing, fixed, gone, ending.\n"
@@ -72,6 +81,7 @@ void addOutcomeOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw) 
 }
 
 void settleOutcome(VerdictOptions& verdict, const RawOutcome& raw) {
+  verdict.explains = raw.explain == kExplainNames[1];
   verdict.failOn = static_cast<report::FailOn>(placeOf(report::kFailOnNames, raw.failOn));
   verdict.summary.format = static_cast<report::SummaryFormat>(placeOf(report::kSummaryFormats, raw.summaryFormat));
 }

@@ -14,7 +14,7 @@ namespace parity::cli {
 // --warn-exit, --baseline, --annotate, approvals and outcome. `verdict` and `raw` must outlive the parsing.
 // tableHelp: of --all.
 struct RawOutcome {
-  std::string failOn = report::kFailOnNames[0], summaryFormat = report::kSummaryFormats[0];
+  std::string failOn = report::kFailOnNames[0], summaryFormat = report::kSummaryFormats[0], explain = "none";
 };
 void addVerdictOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw, const std::string& tableHelp);
 // --approvals and --as-of.

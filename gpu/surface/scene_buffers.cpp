@@ -256,4 +256,10 @@ void SceneBuffers::uploadGeometry(const Device& device) {
   indices = allIndices.take();
 }
 
+void SceneBuffers::setFactors(std::size_t index, const scenes::Material& material) const {
+  assert(classify(material).features == classify(m_scene.materials[index]).features);
+  const GpuMaterial packed = pack(material);
+  materials.upload(std::as_bytes(std::span(&packed, 1)), index * sizeof(packed));
+}
+
 } // namespace parity::gpu

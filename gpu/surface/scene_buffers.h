@@ -43,6 +43,9 @@ public:
   };
   const std::vector<MeshRange>& meshes() const { return m_meshes; }
 
+  // Puts other numbers in a material's place, for all who shade afterwards: of the same textures and the same class.
+  void setFactors(std::size_t index, const scenes::Material& material) const;
+
   Buffer positions, normals, tangents, uvs, colors, indices, instances, materials, lightmapCorners;
 
 private:

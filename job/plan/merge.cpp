@@ -56,6 +56,7 @@ public:
     m_request.bench = options.bench;
     m_request.warningsFail = options.warningsFail;
     m_request.findEarlier = options.findEarlier;
+    m_request.explain = options.explain;
     if (!options.approvals.empty()) m_request.approvals = options.approvals;
     if (!options.asOf.empty()) m_request.asOf = options.asOf;
     m_stoppedBy = options.stoppedBy;

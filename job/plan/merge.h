@@ -19,12 +19,13 @@ struct MergeOptions {
   std::string approvals = {};                // instead of the plan's; empty: the plan's
   std::string asOf = {};                     // the same of the day for them
   report::FindEarlierRuns findEarlier = {};  // for the page; empty: no history
+  AddToReport explain = {};                  // as in ReportRequest
 };
 
 // Writes the report that runReport would have written for the plan's request, byte for byte. A unit that is missing is
-// an error of its scene, or of the merge. Needs no device. Throws Error: (exit 4) naming the units that are missing,
-// and what runReport throws; (exit 78) for a unit of another plan, build or machine. The plan's folder is only read;
-// its lock is the caller's matter.
+// an error of its scene, or of the merge. Needs no device unless it explains. Throws Error: (exit 4) naming the units
+// that are missing, and what runReport throws; (exit 78) for a unit of another plan, build or machine. The plan's
+// folder is only read; its lock is the caller's matter.
 ReportResult mergePlan(const Plan& plan, const std::filesystem::path& folder, const MergeOptions& options,
                        const Progress& progress);
 

@@ -131,8 +131,8 @@ SceneRequest sceneFrom(const ordered_json& json, const Settings& plain) {
   return scene;
 }
 
-// Without what the merge is told: folder, bench, warningsFail and findEarlier.
-static_assert(base::memberCount<ReportRequest>() == 18, "a new member goes into the plan, or is named here");
+// Without what the merge is told: folder, bench, warningsFail, findEarlier and explain.
+static_assert(base::memberCount<ReportRequest>() == 19, "a new member goes into the plan, or is named here");
 ordered_json toJson(const ReportRequest& request) {
   ordered_json again = ordered_json::array();
   for (const report::AgainCommand& each : request.again) again.push_back({each.scene, each.view, each.command});

@@ -21,13 +21,6 @@ namespace parity::job {
 
 namespace {
 
-// The list's pixels with a margin, so that the crop shows what surrounds them. Empty for an empty list.
-compare::Rect cropOf(const base::PixelList& list, int width, int height) {
-  const base::PixelList* lists[] = {&list};
-  const compare::Rect box = compare::boundsOf(lists, width, height);
-  return compare::boundsOf(lists, width, height, std::max(8, std::max(box.width, box.height) / 16));
-}
-
 compare::Rect unionOf(const compare::Rect& a, const compare::Rect& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;

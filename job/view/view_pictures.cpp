@@ -10,19 +10,13 @@
 #include "base/image/image_io.h"
 #include "base/parallel.h"
 #include "compare/flip/magma.h"
+#include "compare/pooling/region.h"
 #include "job/view/displayed.h"
 #include "report/pixel_chunk.h"
 
 namespace parity::job {
 
 namespace {
-
-base::Image8 crop(const base::Image8& image, const compare::Rect& box) {
-  base::Image8 out(box.width, box.height, image.channels);
-  for (int y = 0; y < out.height; ++y)
-    std::copy_n(image.at(box.x, box.y + y), static_cast<std::size_t>(out.width) * image.channels, out.at(0, y));
-  return out;
-}
 
 // A material's own FLIP in its crop; 0 elsewhere.
 base::Image ownFlip(const base::PixelList& list, const std::vector<float>& flip, const compare::Rect& box, int width) {
@@ -57,6 +51,19 @@ void appendChunk(std::vector<EncodedPicture>& files, std::string& name, const st
 }
 
 } // namespace
+
+compare::Rect cropOf(const base::PixelList& list, int width, int height) {
+  const base::PixelList* lists[] = {&list};
+  const compare::Rect box = compare::boundsOf(lists, width, height);
+  return compare::boundsOf(lists, width, height, std::max(8, std::max(box.width, box.height) / 16));
+}
+
+base::Image8 crop(const base::Image8& image, const compare::Rect& box) {
+  base::Image8 out(box.width, box.height, image.channels);
+  for (int y = 0; y < out.height; ++y)
+    std::copy_n(image.at(box.x, box.y + y), static_cast<std::size_t>(out.width) * image.channels, out.at(0, y));
+  return out;
+}
 
 std::vector<EncodedPicture> encodeViewPictures(report::ViewResult& view, const ViewPictures& pictures,
                                                const std::vector<compare::Rect>& crops,

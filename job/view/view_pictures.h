@@ -33,6 +33,10 @@ struct EncodedPicture {
   std::vector<std::byte> bytes;
 };
 
+// A material's pixels with a margin, so that the crop shows what surrounds them. Empty for an empty list.
+compare::Rect cropOf(const base::PixelList& list, int width, int height);
+base::Image8 crop(const base::Image8& image, const compare::Rect& box);
+
 // Makes images/PREFIX_*.png, by the names of the paths, and names them in the view; of each material whose crop is not
 // empty images/PREFIX_mNUMBER_*.png, FLIP of which is the material's own. crops and numbers: as many as the view has
 // materials. Of planes pixels/PREFIX.js and pixels/PREFIX_terms.js. Throws Error (exit 4).

@@ -88,6 +88,47 @@ template <> struct Emptiness<std::vector<WhatIf>> {
   static bool isEmpty(const std::vector<WhatIf>& list) { return list.empty(); }
 };
 
+template <> inline constexpr auto kRecord<ApproximationEffect> = record<ApproximationEffect>(
+    "approximationEffect", "",
+    field("approximation", &ApproximationEffect::approximation, "Approximation of the test path", {.filled = true}),
+    field("change", &ApproximationEffect::change, "Change to a nearer form: sky-sh=9", {.filled = true}),
+    field("alone", &ApproximationEffect::alone, "Mean FLIP that the change takes off by itself", {.finite = true}),
+    field("share", &ApproximationEffect::share, "The same, averaged over all orders of the changes (Shapley value)", {.finite = true}));
+
+template <> inline constexpr auto kRecord<ExplainedSet> = record<ExplainedSet>(
+    "explainedSet", "Changes of the test path, made together",
+    field("changes", &ExplainedSet::changes, "Empty: none"),
+    field("flip", &ExplainedSet::flip, "Mean FLIP of the material", {.finite = true, .least = 0, .most = 1}),
+    field("operations", &ExplainedSet::operations, "Scalar operations of a pixel"),
+    field("fetches", &ExplainedSet::fetches, "Texture fetches of a pixel"));
+
+template <> inline constexpr auto kRecord<ErrorRange> = record<ErrorRange>(
+    "errorRange", "",
+    field("quantity", &ErrorRange::quantity, "", {.oneOf = "roughness|metallic|N.V"}),
+    field("from", &ErrorRange::from, "", {.finite = true}),
+    field("to", &ErrorRange::to, "", {.finite = true}),
+    field("pixels", &ErrorRange::pixels, "Share of the material's pixels", {.finite = true, .least = 0, .most = 1}),
+    field("flip", &ErrorRange::flip, "Share of the material's FLIP", {.finite = true, .least = 0, .most = 1}));
+
+template <> inline constexpr auto kRecord<ErrorMask> = record<ErrorMask>(
+    "errorMask", "Where on a texture half of the material's FLIP lies",
+    field("input", &ErrorMask::input, "Input of the material's card, whose texture the picture covers", {.filled = true}),
+    field("picture", &ErrorMask::picture, "Relative to the report's folder; transparent where the other half lies", {.filled = true}),
+    field("texels", &ErrorMask::texels, "Share of the seen texels that hold this half", {.finite = true, .least = 0, .most = 1}));
+
+template <> inline constexpr auto kRecord<Explanation> = record<Explanation>(
+    "explanation", "Approximations of the test path that make the material differ, and what would help",
+    field("words", &Explanation::words, "The largest approximation and the advice, in a line"),
+    field("failure", &Explanation::failure, "Reason why there is no explanation; absent: there is one", {.ifEmpty = IfEmpty::absent}),
+    field("advice", &Explanation::advice, "Sentences; what they say was rendered"),
+    field("approximations", &Explanation::approximations, "The largest share first"),
+    field("sets", &Explanation::sets, "The best set of each size, that of no change first"),
+    field("advised", &Explanation::advised, "Place in 'sets'; 0: none"),
+    field("picture", &Explanation::picture,
+          "Crop of the test picture with the advised set, relative to the report's folder; empty: none"),
+    field("ranges", &Explanation::ranges, "Tenths of each quantity that hold pixels"),
+    field("masks", &Explanation::masks));
+
 template <> inline constexpr auto kRecord<CardTexture> = record<CardTexture>(
     "cardTexture", "Texture of an input. least, most and mean: of each channel over the texels, times the factor, colours linear; empty: not decoded, or a normal map",
     field("name", &CardTexture::name),
@@ -166,6 +207,8 @@ template <> inline constexpr auto kRecord<MaterialResult> = record<MaterialResul
           "Lobes of the material that the test path leaves out; absent: none, or not requested (--dropped-lights 0)",
           {.ifEmpty = IfEmpty::absent}),
     field("whatIf", &MaterialResult::whatIf, "Only with --what-if", {.ifEmpty = IfEmpty::absent}),
+    field("explanation", &MaterialResult::explanation, "Only of materials over budget, with --explain over-budget",
+          {.ifEmpty = IfEmpty::absent}),
     field("attribution", &MaterialResult::attribution));
 
 template <> inline constexpr auto kRecord<LightEffect> = record<LightEffect>(

@@ -91,9 +91,8 @@ private:
     const bool isOver = isFailure(material ? material->verdict : view.wholeVerdict);
     const std::string& accepted = material ? material->accepted : view.accepted;
     line.why = row.standing == Standing::accepted ? accepted : material ? material->reason : view.reason;
-    if (isOver && material && material->attribution)
-      if (const std::string cause = describeCause(*material->attribution, view.reference); !cause.empty())
-        line.why += "; " + cause;
+    if (isOver && material)
+      if (const std::string cause = describeCauses(*material, view.reference); !cause.empty()) line.why += "; " + cause;
     line.note = noteOf(row);
     line.picture = material && !material->crops.flip.empty() ? material->crops.flip : view.images.flip;
     const compare::Figures& figures = material ? material->figures : view.whole;

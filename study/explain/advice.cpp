@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "study/explain/asset.h"
 #include "study/explain/explain.h"
 #include "study/explain/ranges.h"
 
@@ -88,6 +89,8 @@ std::vector<std::string> sentencesOf(const MaterialExplanation& m, const std::ve
     if (set.rendered)
       sentences.push_back(fmt::format("{}: mean FLIP {:.3f} instead of {:.3f}, with {}.", namesOf(switches, set.mask),
                                       *set.rendered, today, describeCost(set.cost, costToday)));
+  if (m.asset)
+    sentences.push_back(fmt::format("Or change the asset: {}, mean FLIP {:.3f}.", describe(*m.asset), m.asset->flip));
   if (today > m.limit && m.repair == 0) sentences.emplace_back("None of the switches brings it nearer.");
   if (today > m.limit)
     if (const std::optional<RangeShare> worst = worstPart(m.ranges))

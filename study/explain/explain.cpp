@@ -14,6 +14,9 @@
 #include "job/scene/scene_content.h"
 #include "scenes/view.h"
 #include "study/explain/advice.h"
+#include "study/explain/asset.h"
+#include "study/explain/illustration.h"
+#include "study/explain/judged_by.h"
 #include "study/explain/ranges.h"
 #include "study/explain/set_renderer.h"
 
@@ -30,29 +33,14 @@ job::PathChoice pathsFor(const job::Settings& settings) {
   return choice;
 }
 
-// Of the rule that judges the material: the lowest limit of mean FLIP, the default's where it has none; and the pixels
-// below which it is too small to be judged.
-double limitOf(const compare::Budgets& budgets, const std::string& scene, const std::string& material) {
-  for (const compare::Budgets* each : {&budgets, &compare::defaultBudgets()})
-    if (const compare::BudgetRule* rule = compare::findMaterialRule(*each, scene, material))
-      for (const compare::BudgetCheck& check : rule->checks)
-        if (check.statistic.name == "flip.mean") return check.warn.value_or(check.fail.value_or(1));
-  return 1;
-}
-
 // All sets of a material whose costs are counted.
 auto setsOf(MaterialExplanation& material) { return std::array{&material.best, &material.alone, &material.cheaper}; }
 
-std::uint64_t leastPixelsOf(const compare::Budgets& budgets, const std::string& scene, const std::string& material) {
-  const compare::BudgetRule* rule = compare::findMaterialRule(budgets, scene, material);
-  return rule ? rule->minPixels : compare::kDefaultMinPixels;
-}
-
 class Explainer {
 public:
-  Explainer(job::Context& context, const job::SceneRequest& request, const compare::Budgets& budgets,
-            const job::Progress& progress)
-      : m_request(request), m_budgets(budgets), m_progress(progress), m_context(context),
+  Explainer(job::Context& context, const job::SceneRequest& request, const ExplainWish& wish,
+            const compare::Budgets& budgets, const job::Progress& progress)
+      : m_request(request), m_wish(wish), m_budgets(budgets), m_progress(progress), m_context(context),
         m_paths(pathsFor(request.settings)), m_prepared(job::prepareScene(context, request, m_paths)),
         m_scene(context, m_prepared, m_prepared.settings, m_paths),
         m_renderer(context, m_prepared, m_scene, m_prepared.settings, m_paths,
@@ -62,18 +50,23 @@ public:
     m_result.scene = request.name;
     m_result.environment = m_prepared.environmentName;
     m_result.view = request.views.front().name;
+    m_result.sources = m_prepared.scene.sources;
     m_result.width = settings().width;
     m_result.height = settings().height;
   }
 
-  SceneExplanation run(const std::vector<std::string>& switches) {
+  SceneExplanation run() {
     chooseMaterials();
     m_today = m_renderer.flip(settings(), Program::wide, m_materials);
-    chooseSwitches(switches);
+    chooseSwitches();
     renderSets();
     addCosts();
     findRanges();
+    suggestAssets(m_renderer, settings(), m_prepared.scene, m_materials, m_result.materials,
+                  [&](double done) { tell("trying changes of the asset", done); });
     advise();
+    if (m_wish.illustrates)
+      illustrate(m_renderer, m_prepared.scene, settings(), m_result.switches, m_materials, m_result.materials);
     return std::move(m_result);
   }
 
@@ -86,11 +79,9 @@ private:
     const std::vector<base::PixelList>& coverage = m_renderer.coverage();
     for (std::size_t m = 0; m < coverage.size(); ++m) {
       const std::string& name = m_prepared.scene.materials[m].name;
-      const bool wanted =
-          settings().materials.empty() ||
-          std::ranges::any_of(settings().materials, [&](const auto& glob) { return base::matchesGlob(glob, name); });
-      if (!wanted || coverage[m].pixels.empty()) continue;
-      if (coverage[m].pixels.size() < leastPixelsOf(m_budgets, m_request.name, name)) {
+      if (!isWanted(name) || coverage[m].pixels.empty()) continue;
+      const JudgedBy by = judgedBy(m_budgets, m_request.name, name);
+      if (coverage[m].pixels.size() < by.leastPixels) {
         m_result.tooSmall.push_back(name);
         continue;
       }
@@ -98,14 +89,21 @@ private:
       MaterialExplanation& material = m_result.materials.emplace_back();
       material.name = name;
       material.pixels = coverage[m].pixels.size();
-      material.limit = limitOf(m_budgets, m_request.name, name);
+      material.limit = by.limit;
     }
     if (m_materials.empty())
       throw base::Error(base::ExitCode::notComparable, m_request.scene, m_result.view,
                         "no chosen material is seen, or only too small");
   }
 
-  void chooseSwitches(const std::vector<std::string>& given) {
+  bool isWanted(const std::string& name) const {
+    if (!m_wish.materials.empty()) return std::ranges::count(m_wish.materials, name) > 0;
+    const std::vector<std::string>& globs = settings().materials;
+    return globs.empty() || std::ranges::any_of(globs, [&](const auto& glob) { return base::matchesGlob(glob, name); });
+  }
+
+  void chooseSwitches() {
+    const std::vector<std::string>& given = m_wish.switches;
     const std::set<std::string> has = job::contentOf(m_prepared);
     std::vector<Switch> candidates;
     if (given.size() > kMaxSwitches)
@@ -271,13 +269,15 @@ private:
   }
 
   void tell(const char* what, std::size_t done, std::size_t of) const {
+    tell(what, static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(of, 1)));
+  }
+  void tell(const char* what, double done) const {
     m_context.requireGoesOn();
-    if (m_progress)
-      m_progress(m_request.name + ": " + what,
-                 static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(of, 1)));
+    if (m_progress) m_progress(m_request.name + ": " + what, done);
   }
 
   const job::SceneRequest& m_request;
+  const ExplainWish& m_wish;
   const compare::Budgets& m_budgets;
   const job::Progress& m_progress;
   job::Context& m_context;
@@ -293,10 +293,9 @@ private:
 
 } // namespace
 
-SceneExplanation explainScene(job::Context& context, const job::SceneRequest& request,
-                              const std::vector<std::string>& switches, const compare::Budgets& budgets,
-                              const job::Progress& progress) {
-  return Explainer(context, request, budgets, progress).run(switches);
+SceneExplanation explainScene(job::Context& context, const job::SceneRequest& request, const ExplainWish& wish,
+                              const compare::Budgets& budgets, const job::Progress& progress) {
+  return Explainer(context, request, wish, budgets, progress).run();
 }
 
 } // namespace parity::explain

@@ -65,6 +65,12 @@ ordered_json toJson(const MaterialExplanation& m, const std::vector<Switch>& swi
     for (const SetOutcome& set : *sets) json[key].push_back(toJson(set, switches));
   }
   json["repair"] = namesIn(switches, m.repair);
+  json["asset"] = nullptr;
+  if (m.asset)
+    json["asset"] = {{"quantity", m.asset->quantity},
+                     {"factor", m.asset->factor},
+                     {"value", m.asset->value ? ordered_json(*m.asset->value) : ordered_json()},
+                     {"flip", m.asset->flip}};
   json["worth"] = m.worth;
   json["changesSign"] = namesIn(switches, m.changing);
   json["ranges"] = ordered_json::array();
@@ -89,7 +95,8 @@ ordered_json toJson(const SceneExplanation& scene) {
   for (const Switch& each : scene.switches) {
     ordered_json knobs = ordered_json::object();
     for (const auto& [id, value] : each.knobs) knobs[id] = value;
-    json["switches"].push_back({{"id", each.id()}, {"words", each.words}, {"knobs", knobs}});
+    json["switches"].push_back(
+        {{"id", each.id()}, {"words", each.words}, {"approximation", each.approximation}, {"knobs", knobs}});
   }
   json["skipped"] = ordered_json::array();
   for (const Skipped& each : scene.skipped) json["skipped"].push_back({{"switch", each.what}, {"reason", each.why}});

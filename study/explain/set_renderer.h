@@ -38,25 +38,43 @@ public:
   std::optional<base::Image> intermediate(const job::Settings& settings, const std::string& name);
   // What a pixel of each material costs by a program made for its class alone.
   std::vector<Cost> costs(const job::Settings& settings, const std::vector<std::size_t>& materials);
+  // That path's picture as displayed, by specialised programs.
+  base::Image8 picture(const job::Settings& settings);
+  // Mean FLIP of each of these materials where the scene has others in their places, by both paths: of the same
+  // textures and the same class (gpu::classify). The scene is as before afterwards.
+  std::vector<double> flipOfAssets(const job::Settings& settings, Program program,
+                                   const std::map<std::size_t, scenes::Material>& changed,
+                                   const std::vector<std::size_t>& materials);
+  // Texture coordinates of a material's pixels, of the set that the texture uses and by its transform: in the order of
+  // the material's list, of the nearest layer that shows it. Nothing where the scene has no texture coordinates.
+  std::vector<glm::vec2> texturePlaces(std::size_t material, const scenes::TextureSlot& texture) const;
 
 private:
+  using Shaded = std::vector<job::ViewSurfaces::Shaded>;
+  // The first path's picture.
+  struct Reference {
+    Shaded shaded;
+    job::Displayed displayed;
+    base::Image light; // as exposed
+  };
+  Reference makeReference(const job::Settings& settings);
   std::unique_ptr<paths::Renderer> makeRenderer(const job::Settings& settings, Program program,
                                                 std::uint32_t intermediate = 0);
-  compare::SwapMeasurement measure(const job::Settings& settings, Program program,
+  const Shaded& shade(const job::Settings& settings, Program program);
+  compare::SwapMeasurement measure(const job::Settings& settings, const Reference& reference, const Shaded& shaded,
                                    const std::vector<std::size_t>& materials, bool maps);
 
   job::Context& m_context;
   const job::PreparedScene& m_prepared;
-  const paths::Path& m_path;
+  const paths::Path &m_first, &m_path;
   job::SceneOnDevice& m_scene;
   job::ViewSurfaces m_surfaces;
-  std::vector<job::ViewSurfaces::Shaded> m_reference;
+  std::unique_ptr<paths::Renderer> m_firstRenderer;
+  Reference m_reference;
   std::vector<base::PixelList> m_coverage;
-  job::Displayed m_displayed; // the first path's picture
-  base::Image m_light;        // the same as exposed
   // The last set that was shaded: others that only store it otherwise are not shaded again.
   std::string m_shadedKey;
-  std::vector<job::ViewSurfaces::Shaded> m_shaded;
+  Shaded m_shaded;
 };
 
 } // namespace parity::explain

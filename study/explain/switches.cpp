@@ -24,6 +24,7 @@ Switch switchOf(const paths::Path::Change& change) {
   Switch made{.name = change.name,
               .value = change.value,
               .words = change.words,
+              .approximation = change.approximation,
               .needs = {},
               .knobs = change.values,
               .cheapens = change.cheapens};
@@ -79,7 +80,11 @@ Switch parseSwitch(const std::string& text, const job::Settings& settings) {
     if (change.value == value) made = switchOf(change);
   }
   if (const auto* row = rowOf(path, name); !made && row)
-    made = switchOf({.name = name, .value = value, .words = row->knob.title + " " + value, .values = {{name, value}}});
+    made = switchOf({.name = name,
+                     .value = value,
+                     .words = row->knob.title + " " + value,
+                     .approximation = row->knob.title + " " + row->text(settings),
+                     .values = {{name, value}}});
   if (!made) {
     const bool isKnown = !values.empty();
     if (!isKnown)

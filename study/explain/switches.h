@@ -14,10 +14,11 @@ namespace parity::explain {
 inline constexpr std::size_t kMaxSwitches = 7; // 128 sets
 
 struct Switch {
-  std::string name;  // "formulas", or the id of a knob: "sky-sh"
-  std::string value; // what it sets: "refit", "9"
-  std::string words; // "nine SH coefficients of the sky"
-  std::string needs; // of the scene, as base::Knob::needsScene has it; empty: nothing
+  std::string name;          // "formulas", or the id of a knob: "sky-sh"
+  std::string value;         // what it sets: "refit", "9"
+  std::string words;         // "nine SH coefficients of the sky"
+  std::string approximation; // what it takes back: "SH order of the sky"
+  std::string needs;         // of the scene, as base::Knob::needsScene has it; empty: nothing
   std::vector<std::pair<std::string, std::string>> knobs; // ids and values
   bool cheapens = false; // an override of quality, which is there to save time: it is no way to look alike
 

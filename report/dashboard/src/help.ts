@@ -49,6 +49,9 @@ export const kHelp = {
   falseColor: "Shows the luminance of the unclipped values in colours that stand for EV steps. 0 EV is middle grey, 18 % of white after exposure. +1 EV is twice the light, −1 EV is half of it. White is at +2.5 EV. Below −6 EV: black. Above +6 EV: white.",
   autoRange: "On: the range of a map holds 99.5 % of the pixels that are looked at. Off: FLIP from 0 to 1, and differences enlarged by the gain, so that maps of different items compare. The legend says the range.",
   overRuns: "The figure in each run before this one, and in this run. A line of points marks a run in which something about the row changed. Without a line the same inputs gave the same figure.",
+  approximationShare: "Mean FLIP that the approximation adds: what a change to a nearer form takes off, as a mean over all orders in which the changes can be made (Shapley value). All shares add up to what all changes take off together. Alone: what this change takes off by itself. Below 0 the approximation hides another error.",
+  explainedSets: "The changes of the test path with the least mean FLIP, for each number of changes. Operations and fetches are those of one pixel, counted in the shader. The mark is today's number of operations.",
+  errorRanges: "The material's pixels in tenths of what its shader has there. Where the share of FLIP is larger than the share of pixels, the material differs more than elsewhere.",
   change: "Change of mean FLIP since the baseline. Above 0 the paths are further apart than then.",
 } as const;
 export type Topic = keyof typeof kHelp;

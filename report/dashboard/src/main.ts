@@ -9,6 +9,7 @@ import "./style/beside.css";
 import "./style/item.css";
 import "./style/runs.css";
 import "./style/card.css";
+import "./style/explanation.css";
 import "./style/plot.css";
 import "./style/study.css";
 import "./style/print.css";

@@ -7,9 +7,15 @@ namespace parity::explain {
 namespace {
 
 const std::vector<Switch> kSwitches = {
-    {.name = "formulas", .value = "refit", .words = {}, .needs = {}, .knobs = {}},
-    {.name = "sky-sh", .value = "9", .words = {}, .needs = {}, .knobs = {}},
-    {.name = "mobile-fully-rough", .value = "on", .words = {}, .needs = {}, .knobs = {}, .cheapens = true}};
+    {.name = "formulas", .value = "refit", .words = {}, .approximation = {}, .needs = {}, .knobs = {}},
+    {.name = "sky-sh", .value = "9", .words = {}, .approximation = {}, .needs = {}, .knobs = {}},
+    {.name = "mobile-fully-rough",
+     .value = "on",
+     .words = {},
+     .approximation = {},
+     .needs = {},
+     .knobs = {},
+     .cheapens = true}};
 
 // Two switches and one that cheapens. flip: of the eight sets. Each switch costs 9 operations more, the last 100 and a
 // fetch fewer.

@@ -11,6 +11,7 @@
 #include "job/knobs.h"
 #include "scenes/view.h"
 #include "study/explain/advice.h"
+#include "study/explain/asset.h"
 #include "study/explain/explain_text.h"
 #include "study/explain/set_renderer.h"
 
@@ -40,7 +41,7 @@ compare::Budgets ofSmallPictures() {
 // advice is what brute force over those finds.
 void expectBruteForceAgrees(const job::SceneRequest& wanted, const std::vector<std::string>& switches) {
   job::Context context(wanted.settings);
-  const SceneExplanation found = explainScene(context, wanted, switches, ofSmallPictures(), {});
+  const SceneExplanation found = explainScene(context, wanted, {.switches = switches}, ofSmallPictures(), {});
   ASSERT_EQ(found.switches.size(), switches.size());
   const job::PathChoice paths = job::pathsOf(wanted.settings);
   const job::PreparedScene prepared = job::prepareScene(context, wanted, paths);
@@ -127,7 +128,7 @@ TEST(Explain, LeavesOutWhatIsTooSmallToJudge) {
   budgets.materials.insert(budgets.materials.begin(), budgets.materials.front());
   budgets.materials.front().material = "gold";
   budgets.materials.front().minPixels = 100000;
-  const SceneExplanation found = explainScene(context, wanted, {"sky-sh=9"}, budgets, {});
+  const SceneExplanation found = explainScene(context, wanted, {.switches = {"sky-sh=9"}}, budgets, {});
   EXPECT_EQ(found.tooSmall, std::vector<std::string>{"gold"});
   EXPECT_EQ(std::ranges::count(found.materials, "gold", &MaterialExplanation::name), 0);
   EXPECT_NE(toText(found, true).find("gold: too small to judge"), std::string::npos);
@@ -137,12 +138,73 @@ TEST(Explain, LeavesOutWhatIsTooSmallToJudge) {
   EXPECT_NO_THROW(toJson({hostile}, {}, ""));
 }
 
+// What is said of a change of the asset is the figure of a scene that was loaded with it.
+TEST(Explain, SuggestsAChangeOfTheAssetThatBringsItWithinItsLimit) {
+  const job::SceneRequest wanted = request("builtin:materials", "builtin:sky", false);
+  job::Context context(wanted.settings);
+  ExplainWish wish{.switches = {"sky-sh=9"}, .materials = {"gold"}};
+  const auto explainGold = [&](double limit) {
+    compare::Budgets budgets = ofSmallPictures();
+    for (compare::BudgetRule& rule : budgets.materials)
+      for (compare::BudgetCheck& check : rule.checks)
+        if (check.statistic.name == "flip.mean") check.warn = limit;
+    const SceneExplanation found = explainScene(context, wanted, wish, budgets, {});
+    EXPECT_EQ(found.materials.size(), 1u);
+    return found.materials.at(0);
+  };
+  const MaterialExplanation today = explainGold(1);
+  EXPECT_FALSE(today.asset) << "it is within its limit";
+  const double limit = today.flip.front() - 0.002;
+  const MaterialExplanation over = explainGold(limit);
+  EXPECT_EQ(over.flip.front(), today.flip.front());
+  ASSERT_TRUE(over.asset);
+  EXPECT_LE(over.asset->flip, limit);
+  EXPECT_TRUE(std::ranges::any_of(over.advice, [&](const std::string& sentence) {
+    return sentence.find("change the asset: " + describe(*over.asset)) != std::string::npos;
+  }));
+
+  const job::PathChoice paths = job::pathsOf(wanted.settings);
+  job::PreparedScene prepared = job::prepareScene(context, wanted, paths);
+  const auto gold = static_cast<std::size_t>(
+      std::ranges::find(prepared.scene.materials, "gold", &scenes::Material::name) - prepared.scene.materials.begin());
+  AssetChange change = *over.asset;
+  prepared.scene.materials[gold] = withChange(prepared.scene.materials[gold], change).value();
+  job::SceneOnDevice scene(context, prepared, prepared.settings, paths);
+  SetRenderer renderer(context, prepared, scene, prepared.settings, paths, scenes::makeCamera(prepared.scene, {}, 1));
+  EXPECT_EQ(renderer.flip(prepared.settings, SetRenderer::Program::specialised, {gold}).front(), over.asset->flip);
+}
+
+// Pictures of the advised set are the crops of a report; masks lie where the shader reads the texture.
+TEST(Explain, IllustratesWhereAskedTo) {
+  job::SceneRequest wanted = request("builtin:materials", "builtin:sky", false);
+  wanted.settings.width = wanted.settings.height = 96;
+  job::Context context(wanted.settings);
+  ExplainWish wish{.switches = {"formulas=refit"}, .illustrates = true};
+  const SceneExplanation found = explainScene(context, wanted, wish, ofSmallPictures(), {});
+  std::size_t advised = 0, masks = 0;
+  for (const MaterialExplanation& m : found.materials) {
+    EXPECT_EQ(m.illustration.advised.empty(), m.repair == 0) << m.name;
+    advised += m.illustration.advised.empty() ? 0 : 1;
+    if (m.illustration.mask.empty()) continue;
+    ++masks;
+    EXPECT_GT(m.illustration.texels, 0) << m.name;
+    EXPECT_LE(m.illustration.texels, 1) << m.name;
+    EXPECT_FALSE(m.illustration.input.empty());
+  }
+  EXPECT_GT(advised, 0u);
+  EXPECT_GT(masks, 0u);
+  wish.illustrates = false;
+  for (const MaterialExplanation& m : explainScene(context, wanted, wish, ofSmallPictures(), {}).materials)
+    EXPECT_TRUE(m.illustration.advised.empty() && m.illustration.mask.empty());
+}
+
 TEST(Explain, RefusesWhatItCannotTurn) {
   const job::SceneRequest plain = request("builtin:furnace", "builtin:studio", false);
   const auto expectRefused = [&](job::SceneRequest wanted, const std::vector<std::string>& switches,
                                  base::ExitCode code, const std::vector<std::string>& parts) {
     job::Context context(wanted.settings);
-    base::expectError([&] { explainScene(context, wanted, switches, compare::defaultBudgets(), {}); }, parts, code);
+    base::expectError([&] { explainScene(context, wanted, {.switches = switches}, compare::defaultBudgets(), {}); },
+                      parts, code);
   };
   expectRefused(plain, {"mobile-coat=refit"}, base::ExitCode::usage, {"mobile-coat=refit", "has no clear coat"});
   expectRefused(request("builtin:furnace", "builtin:studio", true), {"formulas=refit", "direct-lobe=d-approx"},

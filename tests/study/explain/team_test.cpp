@@ -6,7 +6,9 @@
 namespace parity::explain {
 namespace {
 
-Switch switchOf(const char* name) { return {.name = name, .value = "on", .words = {}, .needs = {}, .knobs = {}}; }
+Switch switchOf(const char* name) {
+  return {.name = name, .value = "on", .words = {}, .approximation = {}, .needs = {}, .knobs = {}};
+}
 
 MaterialExplanation materialOf(const std::vector<double>& flip, std::size_t switches, std::int64_t operations) {
   MaterialExplanation m;

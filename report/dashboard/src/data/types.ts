@@ -341,6 +341,7 @@ export interface Material {
   stages: Stage[];
   droppedLobes?: DroppedLobe[]; // Lobes of the material that the test path leaves out; absent: none, or not requested (--dropped-lights 0)
   whatIf?: WhatIf[]; // Only with --what-if
+  explanation?: Explanation; // Only of materials over budget, with --explain over-budget
   attribution?: Attribution;
 }
 
@@ -370,6 +371,49 @@ export interface WhatIf {
   verdict: Verdict;
   reason: string; // Reason of the verdict; empty for a pass
   figures: Figures;
+}
+
+/** Approximations of the test path that make the material differ, and what would help */
+export interface Explanation {
+  words: string; // The largest approximation and the advice, in a line
+  failure?: string; // Reason why there is no explanation; absent: there is one
+  advice: string[]; // Sentences; what they say was rendered
+  approximations: ApproximationEffect[]; // The largest share first
+  sets: ExplainedSet[]; // The best set of each size, that of no change first
+  advised: number; // Place in 'sets'; 0: none
+  picture: string; // Crop of the test picture with the advised set, relative to the report's folder; empty: none
+  ranges: ErrorRange[]; // Tenths of each quantity that hold pixels
+  masks: ErrorMask[];
+}
+
+export interface ApproximationEffect {
+  approximation: string; // Approximation of the test path
+  change: string; // Change to a nearer form: sky-sh=9
+  alone: number; // Mean FLIP that the change takes off by itself
+  share: number; // The same, averaged over all orders of the changes (Shapley value)
+}
+
+/** Changes of the test path, made together */
+export interface ExplainedSet {
+  changes: string[]; // Empty: none
+  flip: number; // Mean FLIP of the material
+  operations: number; // Scalar operations of a pixel
+  fetches: number; // Texture fetches of a pixel
+}
+
+export interface ErrorRange {
+  quantity: "roughness" | "metallic" | "N.V";
+  from: number;
+  to: number;
+  pixels: number; // Share of the material's pixels
+  flip: number; // Share of the material's FLIP
+}
+
+/** Where on a texture half of the material's FLIP lies */
+export interface ErrorMask {
+  input: string; // Input of the material's card, whose texture the picture covers
+  picture: string; // Relative to the report's folder; transparent where the other half lies
+  texels: number; // Share of the seen texels that hold this half
 }
 
 /** The term that makes the material differ; only for materials over budget, or as --attribution requests */

@@ -4,6 +4,7 @@ import { customElement, property, query } from "lit/decorators.js";
 
 import type { Page } from "../data/page";
 import { clippingText } from "../data/clipping";
+import { mainApproximation } from "../data/explanation";
 import { pathTitle, pathWord } from "../data/paths";
 import { rowTrendOf } from "../data/row_trend";
 import type { Row } from "../data/rows";
@@ -23,6 +24,7 @@ import "../viewer/viewer";
 import type { ParityViewer } from "../viewer/viewer";
 import { checkTable } from "./checks";
 import { describeDropped, lightsOf } from "./dropped_lights";
+import { explanationPanel } from "./explanation";
 import "./history";
 import { materialCard } from "./material_card";
 import "./numbers";
@@ -125,7 +127,16 @@ export class ParityItem extends PageElement {
     const { cause, help: better, reference } = this.row;
     const flip = (value: number | null | undefined): string => figure(value ?? undefined, this.page.report.statistics["flip.mean"]);
     return html`${cause ? html`<p class="cause">Cause: <b>${cause.term}</b> (${termLabel(cause.term)}), FLIP ${flip(cause.before)} → ${flip(cause.after)}<span class="word"> with the ${pathWord(reference)} term</span>${help("worstTerm")}</p>` : nothing}
+      ${this.renderApproximation()}
       ${better ? html`<p class="would-help">Would help: preset <b>${better.preset}</b> (FLIP ${flip(better.flip)}, ${better.verdict})</p>` : nothing}`;
+  }
+
+  private renderApproximation(): TemplateResult | typeof nothing {
+    const explanation = this.material?.explanation;
+    const most = explanation ? mainApproximation(explanation) : null;
+    if (!explanation || most === null) return nothing;
+    const flip = (value: number | undefined): string => figure(value, this.page.report.statistics["flip.mean"]);
+    return html`<p class="approximation">Approximation: <b>${most.approximation}</b> (${flip(most.share)} of FLIP ${flip(explanation.sets[0]?.flip)})${help("approximationShare")}</p>`;
   }
 
   private renderTabs(tab: Tab): TemplateResult {
@@ -173,6 +184,7 @@ export class ParityItem extends PageElement {
       ${isPhone ? this.renderFacts(view, judged) : nothing}
       ${checkTable(judged, report, this.scales)}
       ${notes.length > 0 ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>` : nothing}
+      ${explanationPanel(report, scene, row)}
       ${materialCard(scene, row)}
     `;
   }

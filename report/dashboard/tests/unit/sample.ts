@@ -1,6 +1,6 @@
 // A small report made by hand, for tests of what the page derives from one.
 import type { Judged } from "../../src/data/judged";
-import { kSchema, type Figures, type Material, type Report, type Scene, type Verdict, type View } from "../../src/data/types";
+import { kSchema, type Explanation, type Figures, type Material, type Report, type Scene, type Verdict, type View } from "../../src/data/types";
 
 export function makeFigures(flip: number, patch: Partial<Figures> = {}): Figures {
   return {
@@ -18,6 +18,24 @@ export function makeJudged(verdict: Verdict, flip: number | null, patch: Partial
 
 export function makeMaterial(name: string, verdict: Verdict, flip: number | null, patch: Partial<Material> = {}): Material {
   return { ...makeJudged(verdict, flip), name, seenElsewhere: false, notModelled: [], notes: [], terms: [], crops: { reference: "", test: "", flip: "" }, ...patch };
+}
+
+/** Of a metal ball that reflects a capture without parallax. */
+export function makeExplanation(patch: Partial<Explanation> = {}): Explanation {
+  return {
+    words: "captures without parallax (0.387 of FLIP 0.445)", advice: ["mobile-parallax=on: mean FLIP 0.090 instead of 0.445, with 13 % more operations."],
+    approximations: [
+      { approximation: "captures without parallax", change: "mobile-parallax=on", alone: 0.355, share: 0.387 },
+      { approximation: "formulas of the preset", change: "formulas=refit", alone: -0.02, share: 0.035 },
+      { approximation: "storage of captures", change: "capture=fp16", alone: -0.014, share: -0.012 },
+    ],
+    sets: [
+      { changes: [], flip: 0.445, operations: 421, fetches: 4 },
+      { changes: ["mobile-parallax=on"], flip: 0.09, operations: 476, fetches: 4 },
+      { changes: ["formulas=refit", "mobile-parallax=on"], flip: 0.018, operations: 408, fetches: 5 },
+    ],
+    advised: 1, picture: "", ranges: [], masks: [], ...patch,
+  };
 }
 
 export function makeView(name: string, materials: Material[]): View {

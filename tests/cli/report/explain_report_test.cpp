@@ -1,0 +1,121 @@
+// --explain over-budget: what it adds to a report, and what it leaves alone.
+#include <set>
+
+#include "base/image/image_io.h"
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+using nlohmann::json;
+
+class ExplainReport : public RenderingTest {
+protected:
+  static json parse(const std::filesystem::path& file) { return json::parse(readWholeFile(file)); }
+  // A report of the materials, of which gold alone is over its budget.
+  std::vector<std::string> command(const std::string& folder) {
+    if (m_budgets.empty())
+      m_budgets =
+          write("budgets.toml",
+                "[[material]]\nname = \"gold\"\nchecks = [ { metric = \"flip.mean\", warn = 0.05, fail = 0.06 } ]\n"
+                "[[material]]\nname = \"*\"\nchecks = [ { metric = \"flip.mean\", fail = 0.9 } ]\n"
+                "[[whole]]\nchecks = [ { metric = \"flip.mean\", fail = 0.9 } ]\n");
+    return {"report",    "builtin:materials", "--env",      "builtin:sky", "--size",    "96x96",
+            "--budgets", m_budgets,           "--no-cache", "-o",          path(folder)};
+  }
+  std::string m_budgets;
+};
+
+TEST_F(ExplainReport, NamesTheApproximationOfWhatIsOverBudgetAndNothingElseChanges) {
+  const RunResult plain = runParity(command("plain")),
+                  asked = runParity(join({command("asked"), {"--explain", "over-budget"}}));
+  EXPECT_TRUE(exitedWith(2, plain)) << plain.err;
+  EXPECT_TRUE(exitedWith(2, asked)) << asked.err;
+  json report = parse(m_folder / "asked/report.json");
+  std::size_t explained = 0;
+  for (json& material : report["scenes"][0]["views"][0]["materials"]) {
+    if (!material.contains("explanation")) continue;
+    ++explained;
+    EXPECT_EQ(material["name"], "gold");
+    const json& e = material["explanation"];
+    EXPECT_EQ(e["sets"][0]["flip"], material["figures"]["metrics"]["flip.mean"]) << "as the report measures it";
+    EXPECT_EQ(e["approximations"][0]["approximation"], "environment BRDF and direct lobe");
+    EXPECT_GT(e["approximations"][0]["share"].get<double>(), 0.01);
+    ASSERT_GT(e["advised"].get<int>(), 0);
+    const base::Image8 advised = base::readImage8(m_folder / "asked" / e["picture"].get<std::string>());
+    const base::Image8 today = base::readImage8(m_folder / "asked" / material["crops"]["test"].get<std::string>());
+    EXPECT_EQ(advised.width, today.width);
+    EXPECT_EQ(advised.height, today.height);
+    EXPECT_NE(advised.pixels, today.pixels);
+    for (const json& mask : e["masks"]) {
+      const base::Image8 marked = base::readImage8(m_folder / "asked" / mask["picture"].get<std::string>());
+      std::set<int> opacities;
+      for (std::size_t i = 3; i < marked.pixels.size(); i += 4) opacities.insert(marked.pixels[i]);
+      EXPECT_EQ(opacities.size(), 2u);
+    }
+    EXPECT_TRUE(contains(asked.out, e["words"].get<std::string>())) << asked.out;
+    EXPECT_TRUE(
+        contains(readWholeFile(m_folder / "asked/junit.xml"), "approximation: environment BRDF and direct lobe"));
+    material.erase("explanation");
+  }
+  EXPECT_EQ(explained, 1u);
+  EXPECT_EQ(report, parse(m_folder / "plain/report.json"));
+  EXPECT_FALSE(contains(plain.out, "approximation:"));
+}
+
+TEST_F(ExplainReport, IsTheSameFromWorkersAndInDiff) {
+  const RunResult one = runParity(join({command("one"), {"--explain", "over-budget"}}));
+  const RunResult workers = runParity(join({command("workers"), {"--explain", "over-budget", "--jobs", "1"}}));
+  EXPECT_TRUE(exitedWith(2, one)) << one.err;
+  EXPECT_TRUE(exitedWith(2, workers)) << workers.err;
+  EXPECT_TRUE(readWholeFile(m_folder / "one/report.json") == readWholeFile(m_folder / "workers/report.json"));
+  EXPECT_TRUE(exitedWith(0, runParity({"plan", "builtin:materials", "--env", "builtin:sky", "--size", "96x96",
+                                       "--budgets", m_budgets, "--no-cache", "-o", path("plan")})));
+  EXPECT_TRUE(exitedWith(0, runParity({"work", path("plan"), "-q"})));
+  EXPECT_TRUE(
+      exitedWith(2, runParity({"merge", path("plan"), "-o", path("merged"), "--explain", "over-budget", "-q"})));
+  EXPECT_TRUE(readWholeFile(m_folder / "one/report.json") == readWholeFile(m_folder / "merged/report.json"));
+  const RunResult diff = runParity({"diff", "builtin:materials", "--env", "builtin:sky", "--size", "96x96", "--budgets",
+                                    m_budgets, "--explain", "over-budget", "--csv", path("rows.csv")});
+  EXPECT_TRUE(exitedWith(2, diff)) << diff.err;
+  EXPECT_TRUE(contains(diff.out, "approximation: environment BRDF and direct lobe")) << diff.out;
+  EXPECT_TRUE(contains(readWholeFile(m_folder / "rows.csv"), "approximation: environment BRDF"));
+}
+
+// Nothing is explained where nothing is over budget, and no picture is left over.
+TEST_F(ExplainReport, CostsNothingWhereAllPasses) {
+  std::vector<std::string> furnace = command("out");
+  furnace[1] = "builtin:furnace";
+  const RunResult run = runParity(join({furnace, {"--explain", "over-budget"}}));
+  EXPECT_TRUE(exitedWith(0, run)) << run.err;
+  EXPECT_FALSE(contains(readWholeFile(m_folder / "out/report.json"), "\"explanation\""));
+  EXPECT_TRUE(exitedWith(64, runParity({"report", "builtin:furnace", "--explain", "everything"})));
+}
+
+// The second run takes both from the cache, with the same pictures.
+TEST_F(ExplainReport, IsKeptInTheCache) {
+  const auto run = [&](const std::string& folder) {
+    std::vector<std::string> words = command(folder);
+    std::erase(words, "--no-cache");
+    const RunResult result =
+        runParity(join({words, {"--explain", "over-budget", "--cache", path("cache"), "--timings"}}));
+    EXPECT_TRUE(exitedWith(2, result)) << result.err;
+    return result;
+  };
+  const RunResult first = run("first"), second = run("second");
+  EXPECT_TRUE(contains(first.err, "shade mobile")) << first.err;
+  EXPECT_FALSE(contains(second.err, "shade mobile")) << second.err;
+  EXPECT_TRUE(readWholeFile(m_folder / "first/report.json") == readWholeFile(m_folder / "second/report.json"));
+  const json report = parse(m_folder / "second/report.json");
+  std::size_t pictures = 0;
+  for (const json& material : report["scenes"][0]["views"][0]["materials"]) {
+    if (!material.contains("explanation")) continue;
+    const std::string file = material["explanation"]["picture"];
+    EXPECT_TRUE(readWholeFile(m_folder / "first" / file) == readWholeFile(m_folder / "second" / file));
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 1u);
+}
+
+} // namespace
+} // namespace parity::tests
