@@ -1,6 +1,9 @@
 // parity merge: the units of a plan in, the report out.
 #include "job/plan/merge.h"
+#include <optional>
+
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "cli/invocation.h"
 #include "cli/progress.h"
 #include "cli/report_parts.h"
@@ -15,6 +18,9 @@ int runMergeCommand(const MergeCommand& command) {
     throw base::Error(base::ExitCode::usage, "--fail-on", "'new'",
                       "needs --history, or a plan with --baseline, which says what failed before");
   const job::PlanLock lock(command.plan);
+  std::optional<base::StopSignal> stop;
+  if (command.verdict.explains)
+    stop.emplace("interrupted: the report is written with what is explained; another signal ends the program at once");
   const job::ReportResult result =
       job::mergePlan(plan, command.plan,
                      {.folder = command.folder,
@@ -24,7 +30,8 @@ int runMergeCommand(const MergeCommand& command) {
                       .approvals = command.verdict.approvals,
                       .asOf = command.verdict.asOf,
                       .findEarlier = findEarlierRuns(command.verdict.history),
-                      .explain = explainerOf(command.verdict)},
+                      .explain = explainerOf(command.verdict),
+                      .isStopped = base::StopSignal::received},
                      makeProgress(command.quiet));
   return tellReport(result, {.folder = command.folder,
                              .singleFile = plan.request.singleFile,

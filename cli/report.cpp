@@ -78,7 +78,8 @@ job::ReportResult reportByWorkers(const ReportCommand& command, job::Context& co
                                                    .bench = request.bench,
                                                    .warningsFail = request.warningsFail,
                                                    .findEarlier = request.findEarlier,
-                                                   .explain = request.explain},
+                                                   .explain = request.explain,
+                                                   .isStopped = base::StopSignal::received},
                                                   progress);
   if (work.missing == 0) std::filesystem::remove_all(folder, none);
   return result;

@@ -197,10 +197,9 @@ void ReportEnd::keepApprovedPictures(const report::EarlierRuns& earlier, std::ve
     writePictures(kept, m_request.folder);
 }
 
-// What a signal has stopped is not explained either.
 void ReportEnd::explain(Context& context, report::Report& report, std::vector<EncodedPicture>& pictures,
                         const Progress& progress) const {
-  if (!m_request.explain || context.stoppedBy() != 0) return;
+  if (!m_request.explain) return;
   const base::Stopwatch watch(&context.timings(), "explain");
   KeepPicture keep;
   if (!m_request.folder.empty() && m_request.pictures != Pictures::none)
@@ -260,8 +259,6 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
     report.scenes.push_back(std::move(scene.result));
   }
   m_scenes.clear();
-  result.run.compiledShaders += context.compiledShaders().size();
-  base::logDetail(fmt::format("{} shaders were compiled", result.run.compiledShaders));
   if (const std::size_t cached = result.run.cachedScenes.size(); cached > 0)
     base::logInfo(
         fmt::format("{} of {} scenes are unchanged and come from the cache", cached, m_request.scenes.size()));
@@ -273,7 +270,11 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
                                 {report::reportFileOf(m_request.baseline).string(), context.settings().materials,
                                  m_request.oneOfMany, m_request.only});
   if (m_baselinePictures) keepBaselinePictures(report, pictures);
+  const double cpuSeconds = base::cpuSeconds();
   explain(context, report, pictures, progress);
+  result.run.origin.cpuSeconds += base::cpuSeconds() - cpuSeconds;
+  result.run.compiledShaders += context.compiledShaders().size();
+  base::logDetail(fmt::format("{} shaders were compiled", result.run.compiledShaders));
   logAccepted(report);
   for (const std::string& incident : result.run.incidents) base::logWarning(incident);
   base::logRunWarnings(report.warnings);

@@ -184,6 +184,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
       m_notes.push_back(
           fmt::format("each object gets only the {1} brightest of {0} local lights", localCount, kLightsPerObject));
   }
+  if (!options.lightCap && !options.localLights)
+    m_notes.push_back(fmt::format(
+        "--no-mobile-light-cap has no effect: the preset {} expects local lights in baked light", options.preset));
   const auto spots =
       std::count_if(lights.begin(), lights.end(), [](const auto& l) { return l.kind == scenes::LightKind::spot; });
   const auto spot = inputs.shadows && options.spotShadow && options.localLights

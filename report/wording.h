@@ -27,8 +27,8 @@ std::optional<compare::TermEffect> findCause(const compare::Attribution& attribu
 // or "no single term explains it". Empty where FLIP is 0.000.
 std::string describeCause(const compare::Attribution& attribution, const std::string& reference);
 
-// The same of a material, as far as it is known, and behind it the approximation that makes most of it and what would
-// help (--explain): a line. Empty where neither is known.
+// The cause by terms and the cause by approximations (--explain) of a material, with what would help, in a line. Empty
+// where neither is known.
 std::string describeCauses(const MaterialResult& material, const std::string& reference);
 
 } // namespace parity::report

@@ -56,8 +56,8 @@ void addOutcomeOptions(CLI::App& app, VerdictOptions& verdict, RawOutcome& raw) 
       ->group("Verdict");
   choose(
       app.add_option("--explain", raw.explain,
-                     "over-budget: also say of each material that fails or warns which approximation makes it, what\n"
-                     "would help and what that costs. Takes seconds for each scene that has such a material"),
+                     "over-budget: also say of each material over a limit which approximation causes most of it, what\n"
+                     "would help and what that costs. Takes seconds for each view that has such a material"),
       {kExplainNames[0], kExplainNames[1]})
       ->group("Verdict")
       ->capture_default_str();

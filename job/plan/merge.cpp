@@ -61,7 +61,8 @@ public:
     if (!options.asOf.empty()) m_request.asOf = options.asOf;
     m_stoppedBy = options.stoppedBy;
     m_whyMissing = options.whyMissing;
-    m_context.stopWhen([this] { return m_stoppedBy; });
+    m_context.stopWhen(
+        [this, later = options.isStopped] { return m_stoppedBy != 0 || !later ? m_stoppedBy : later(); });
   }
 
   ReportResult run(Incomplete incomplete, const Progress& progress) {

@@ -20,6 +20,7 @@ struct MergeOptions {
   std::string asOf = {};                     // the same of the day for them
   report::FindEarlierRuns findEarlier = {};  // for the page; empty: no history
   AddToReport explain = {};                  // as in ReportRequest
+  std::function<int()> isStopped = {};       // as Context::stopWhen has it, while it explains; empty: nothing stops it
 };
 
 // Writes the report that runReport would have written for the plan's request, byte for byte. A unit that is missing is

@@ -1,6 +1,7 @@
 #include "job/view/view_pictures.h"
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 
 #include <fmt/format.h>
@@ -63,6 +64,12 @@ base::Image8 crop(const base::Image8& image, const compare::Rect& box) {
   for (int y = 0; y < out.height; ++y)
     std::copy_n(image.at(box.x, box.y + y), static_cast<std::size_t>(out.width) * image.channels, out.at(0, y));
   return out;
+}
+
+std::string pictureBeside(const std::string& picture, const std::string& path, const std::string& kind) {
+  const std::string end = "_" + path + ".png"; // as nameImages has it
+  assert(picture.ends_with(end));
+  return picture.substr(0, picture.size() - end.size()) + "_" + kind + ".png";
 }
 
 std::vector<EncodedPicture> encodeViewPictures(report::ViewResult& view, const ViewPictures& pictures,

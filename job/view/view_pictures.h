@@ -37,6 +37,9 @@ struct EncodedPicture {
 compare::Rect cropOf(const base::PixelList& list, int width, int height);
 base::Image8 crop(const base::Image8& image, const compare::Rect& box);
 
+// The name of a picture beside that of a path: "images/0_m3_mobile.png", mobile, "mask": "images/0_m3_mask.png".
+std::string pictureBeside(const std::string& picture, const std::string& path, const std::string& kind);
+
 // Makes images/PREFIX_*.png, by the names of the paths, and names them in the view; of each material whose crop is not
 // empty images/PREFIX_mNUMBER_*.png, FLIP of which is the material's own. crops and numbers: as many as the view has
 // materials. Of planes pixels/PREFIX.js and pixels/PREFIX_terms.js. Throws Error (exit 4).

@@ -85,13 +85,15 @@ std::vector<std::string> sentencesOf(const MaterialExplanation& m, const std::ve
         text += fmt::format("; {} alone makes it worse ({:.3f})", namesOf(switches, alone.mask), alone.flip);
     sentences.push_back(text + ".");
   }
+  if (today > m.limit && m.repair == 0) sentences.emplace_back("None of the switches brings it nearer.");
+  if (m.asset)
+    sentences.push_back(fmt::format("{}: {}, mean FLIP {:.3f}.",
+                                    m.repair != 0 ? "Or change the asset" : "A change of the asset would help",
+                                    describe(*m.asset), m.asset->flip));
   for (const SetOutcome& set : m.cheaper)
     if (set.rendered)
       sentences.push_back(fmt::format("{}: mean FLIP {:.3f} instead of {:.3f}, with {}.", namesOf(switches, set.mask),
                                       *set.rendered, today, describeCost(set.cost, costToday)));
-  if (m.asset)
-    sentences.push_back(fmt::format("Or change the asset: {}, mean FLIP {:.3f}.", describe(*m.asset), m.asset->flip));
-  if (today > m.limit && m.repair == 0) sentences.emplace_back("None of the switches brings it nearer.");
   if (today > m.limit)
     if (const std::optional<RangeShare> worst = worstPart(m.ranges))
       sentences.push_back(fmt::format("{:.0f} % of its FLIP lies where {} is {}: {:.0f} % of its pixels.",

@@ -13,8 +13,14 @@ namespace {
 
 constexpr std::array<std::uint8_t, 4> kMarked = {255, 64, 160, 200};
 
-int texelOf(float coordinate, int side) {
-  const float within = coordinate - std::floor(coordinate);
+float wrapped(float coordinate, scenes::Wrap wrap) {
+  if (wrap == scenes::Wrap::clampToEdge) return std::clamp(coordinate, 0.f, 1.f);
+  const float whole = std::floor(coordinate), within = coordinate - whole;
+  return wrap == scenes::Wrap::mirroredRepeat && std::fmod(whole, 2.f) != 0 ? 1 - within : within;
+}
+
+int texelOf(float coordinate, scenes::Wrap wrap, int side) {
+  const float within = wrapped(coordinate, wrap);
   return std::isfinite(within) ? std::min(static_cast<int>(within * static_cast<float>(side)), side - 1) : 0;
 }
 
@@ -27,14 +33,16 @@ MaskedTexture maskedTexture(const scenes::Material& material) {
   return {};
 }
 
-TexelMask maskOf(std::span<const glm::vec2> places, std::span<const float> errors, int width, int height) {
+TexelMask maskOf(std::span<const glm::vec2> places, std::span<const float> errors, const scenes::Sampler& wraps,
+                 int width, int height) {
   const int longest = std::max({width, height, 1});
   const auto sideOf = [&](int side) { return std::max(1, (side * kMaskSide + longest / 2) / longest); };
   TexelMask mask{base::Image8(sideOf(width), sideOf(height), 4), 0};
   const std::size_t count = mask.picture.pixelCount();
   std::vector<double> sums(count, 0), shown(count, 0);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const int x = texelOf(places[i].x, mask.picture.width), y = texelOf(places[i].y, mask.picture.height);
+    const int x = texelOf(places[i].x, wraps.wrapU, mask.picture.width),
+              y = texelOf(places[i].y, wraps.wrapV, mask.picture.height);
     const auto at =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.picture.width) + static_cast<std::size_t>(x);
     sums[at] += static_cast<double>(errors[i]);

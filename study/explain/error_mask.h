@@ -26,8 +26,9 @@ struct TexelMask {
   double texels = 0;    // their share of those that some pixel shows
 };
 
-// places: texture coordinates of each pixel, which repeat beyond [0, 1). errors: of each pixel, not negative.
-// width, height: of the texture. Of no error nothing is opaque.
-TexelMask maskOf(std::span<const glm::vec2> places, std::span<const float> errors, int width, int height);
+// places: texture coordinates of each pixel. errors: of each pixel, times how much of it shows the material; not
+// negative. wraps: how the texture goes on beyond [0, 1]. width, height: of the texture. Of no error nothing is opaque.
+TexelMask maskOf(std::span<const glm::vec2> places, std::span<const float> errors, const scenes::Sampler& wraps,
+                 int width, int height);
 
 } // namespace parity::explain

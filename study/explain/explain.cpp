@@ -66,7 +66,8 @@ public:
                   [&](double done) { tell("trying changes of the asset", done); });
     advise();
     if (m_wish.illustrates)
-      illustrate(m_renderer, m_prepared.scene, settings(), m_result.switches, m_materials, m_result.materials);
+      illustrate(m_renderer, m_prepared.scene, settings(), m_result.switches, m_materials, m_errors,
+                 m_result.materials);
     return std::move(m_result);
   }
 
@@ -135,10 +136,16 @@ private:
     };
     SwitchMask nearer = 0;
     std::vector<double> use(candidates.size(), 0);
+    std::map<std::size_t, std::string> failures; // of candidates that this scene cannot have
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       tell("trying switches alone", i, 2 * candidates.size());
       const SwitchMask bit = SwitchMask{1} << i;
-      use[i] = effects(0, bit);
+      try {
+        use[i] = effects(0, bit);
+      } catch (const base::Error& error) {
+        failures[i] = error.reason();
+        continue;
+      }
       if (candidates[i].cheapens)
         use[i] = harmlessOf(flipOf(candidates, bit));
       else
@@ -146,7 +153,8 @@ private:
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       tell("leaving switches out", candidates.size() + i, 2 * candidates.size());
-      if (!candidates[i].cheapens) use[i] = std::max(use[i], effects(nearer & ~(SwitchMask{1} << i), nearer));
+      if (!candidates[i].cheapens && !failures.contains(i))
+        use[i] = std::max(use[i], effects(nearer & ~(SwitchMask{1} << i), nearer));
     }
     std::vector<std::size_t> order(candidates.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -156,7 +164,8 @@ private:
       if (use[i] >= kLeastEffect && kept.size() < kMaxSwitches)
         kept.insert(i);
       else
-        m_result.skipped.push_back({candidates[i].id(), use[i] < kLeastEffect
+        m_result.skipped.push_back({candidates[i].id(), failures.contains(i) ? failures[i]
+                                                        : use[i] < kLeastEffect
                                                             ? fmt::format("helps no material by {:g}", kLeastEffect)
                                                             : fmt::format("{} others help more", kMaxSwitches)});
     std::vector<Switch> chosen;
@@ -234,13 +243,14 @@ private:
   }
 
   void findRanges() {
-    const std::vector<std::vector<float>> errors = m_renderer.flipMaps(settings(), m_materials);
+    m_errors = m_renderer.flipMaps(settings(), m_materials);
     for (const auto& [view, quantity] :
          {std::pair{"Roughness", "roughness"}, {"Metallic", "metallic"}, {"NoV", "N.V"}}) {
       const std::optional<base::Image> values = m_renderer.intermediate(settings(), view);
       if (!values) continue;
       for (std::size_t i = 0; i < m_materials.size(); ++i) {
-        std::vector<RangeShare> shares = sharesOf(quantity, m_renderer.coverage()[m_materials[i]], *values, errors[i]);
+        std::vector<RangeShare> shares =
+            sharesOf(quantity, m_renderer.coverage()[m_materials[i]], *values, m_errors[i]);
         std::ranges::move(shares, std::back_inserter(m_result.materials[i].ranges));
       }
     }
@@ -287,6 +297,7 @@ private:
   SetRenderer m_renderer;
   std::vector<std::size_t> m_materials; // those of the result, in the scene
   std::vector<double> m_today;
+  std::vector<std::vector<float>> m_errors; // FLIP of their pixels today
   std::map<SwitchMask, std::vector<double>> m_tried;
   SceneExplanation m_result;
 };

@@ -13,13 +13,15 @@ namespace {
 
 // Without effect on a material that has no texture to lay a mask over.
 void addMask(Illustration& illustration, const SetRenderer& renderer, const scenes::Scene& scene, std::size_t material,
-             const std::vector<float>& errors) {
+             std::vector<float> errors) {
   const MaskedTexture texture = maskedTexture(scene.materials[material]);
   if (!texture.slot) return;
   const std::vector<glm::vec2> places = renderer.texturePlaces(material, *texture.slot);
   if (places.empty()) return;
   const base::Image8& texels = scene.images[static_cast<std::size_t>(texture.slot->image)].pixels;
-  TexelMask mask = maskOf(places, errors, texels.width, texels.height);
+  const std::vector<float>& weights = renderer.coverage()[material].weights; // empty: all are 1
+  for (std::size_t i = 0; i < weights.size(); ++i) errors[i] *= weights[i];
+  TexelMask mask = maskOf(places, errors, texture.slot->sampler, texels.width, texels.height);
   illustration.input = texture.input;
   illustration.mask = std::move(mask.picture);
   illustration.texels = mask.texels;
@@ -29,7 +31,7 @@ void addMask(Illustration& illustration, const SetRenderer& renderer, const scen
 
 void illustrate(SetRenderer& renderer, const scenes::Scene& scene, const job::Settings& settings,
                 const std::vector<Switch>& switches, const std::vector<std::size_t>& places,
-                std::vector<MaterialExplanation>& materials) {
+                const std::vector<std::vector<float>>& errors, std::vector<MaterialExplanation>& materials) {
   std::map<SwitchMask, std::vector<std::size_t>> advised; // each set is shaded once
   for (std::size_t i = 0; i < materials.size(); ++i)
     if (materials[i].repair != 0) advised[materials[i].repair].push_back(i);
@@ -39,7 +41,6 @@ void illustrate(SetRenderer& renderer, const scenes::Scene& scene, const job::Se
       materials[i].illustration.advised =
           job::crop(picture, job::cropOf(renderer.coverage()[places[i]], picture.width, picture.height));
   }
-  const std::vector<std::vector<float>> errors = renderer.flipMaps(settings, places);
   for (std::size_t i = 0; i < materials.size(); ++i)
     addMask(materials[i].illustration, renderer, scene, places[i], errors[i]);
 }

@@ -8,8 +8,8 @@
 
 namespace parity::explain {
 
-// Of the rule that judges the material: the lowest limit of its mean FLIP, warning before failing, the built-in one
-// where it has none; and the pixels below which it is too small to be judged.
+// limit: the lowest limit of the material's mean FLIP, warning before failing; of a rule that has none, the built-in
+// one. leastPixels: a material of fewer is too small to be judged.
 struct JudgedBy {
   double limit = 1;
   std::uint64_t leastPixels = compare::kDefaultMinPixels;

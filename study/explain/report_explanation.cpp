@@ -1,6 +1,8 @@
 #include "study/explain/report_explanation.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
@@ -24,7 +26,7 @@ namespace parity::explain {
 
 namespace {
 
-// A limit is exceeded: who warns of parts that are not modelled, or of clipping, knows the cause.
+// A material that exceeds no limit warns of parts that are not modelled, or of clipping, and its reason says so.
 bool isToBeExplained(const report::MaterialResult& material) {
   const auto isOver = [](compare::Verdict verdict) {
     return verdict == compare::Verdict::warn || verdict == compare::Verdict::fail;
@@ -41,12 +43,6 @@ job::SceneRequest requestOf(const job::SceneRequest& scene, const report::ViewRe
   request.settings.pathNames = {row.reference, row.test};
   request.settings.truth = false;
   return request;
-}
-
-// "images/000_front_m3_mobile.png": "images/000_front_m3_KIND.png".
-std::string besidePicture(const std::string& crop, const std::string& path, const char* kind) {
-  const std::string end = "_" + path + ".png";
-  return crop.substr(0, crop.size() - end.size()) + "_" + kind + ".png";
 }
 
 std::string wordsOf(const report::Explanation& e) {
@@ -91,6 +87,7 @@ std::optional<std::string> keyOf(job::Context& context, const job::SceneRequest&
       job::resultKey(context, job::conditionsOf(context.settings(), request, context.deviceReport()), result);
   if (!key) return std::nullopt;
   base::Hasher hasher;
+  assert(wish.switches.empty());
   hasher.add(*key).add("explained");
   for (const std::string& name : wish.materials) {
     const JudgedBy by = judgedBy(budgets, request.name, name);
@@ -117,11 +114,24 @@ job::SceneRecord explain(job::Context& context, const job::SceneRequest& request
   }
 }
 
+// Gives a picture its name in the report. One that cannot be written is left out.
 void nameAndKeep(const std::vector<job::EncodedPicture>& pictures, std::string& file, const report::MaterialResult& of,
                  const char* kind, const job::KeepPicture& keep) {
   const auto picture = std::ranges::find(pictures, file, &job::EncodedPicture::file);
-  file = besidePicture(of.crops.test, of.test, kind);
-  keep({file, picture->bytes});
+  assert(picture != pictures.end());
+  file = job::pictureBeside(of.crops.test, of.test, kind);
+  try {
+    keep({file, picture->bytes});
+  } catch (const std::exception& error) {
+    base::logWarning(base::wordsOf(error));
+    file.clear();
+  }
+}
+
+// The report may be of other files than there are now: it was made by workers, and is merged later or elsewhere.
+bool isOfTheReport(const report::Explanation& explanation, const report::MaterialResult& material) {
+  const std::optional<double> flip = material.figures.find("flip.mean");
+  return !flip || std::abs(explanation.sets.front().flip - *flip) <= kLeastEffect;
 }
 
 void explainView(job::Context& context, const job::SceneRequest& request, const compare::Budgets& budgets,
@@ -144,6 +154,11 @@ void explainView(job::Context& context, const job::SceneRequest& request, const 
       continue;
     }
     explanation = std::move(*of->explanation);
+    if (!isOfTheReport(explanation, material)) {
+      explanation = {};
+      explanation.failure = "the scene's files, or the device, are not those of the report's figures";
+      continue;
+    }
     if (!keep || material.crops.test.empty()) { // of a view whose pictures are not kept
       explanation.picture.clear();
       explanation.masks.clear();
@@ -152,14 +167,27 @@ void explainView(job::Context& context, const job::SceneRequest& request, const 
     if (!explanation.picture.empty()) nameAndKeep(record.pictures, explanation.picture, material, "advised", keep);
     for (report::ErrorMask& mask : explanation.masks)
       nameAndKeep(record.pictures, mask.picture, material, "mask", keep);
+    std::erase_if(explanation.masks, [](const report::ErrorMask& mask) { return mask.picture.empty(); });
   }
+}
+
+// Of a view whose explanation was interrupted, or not begun.
+void setInterrupted(report::ViewResult& row) {
+  for (report::MaterialResult& material : row.materials)
+    if (isToBeExplained(material) && !material.explanation) {
+      material.explanation.emplace();
+      material.explanation->failure = "the run was interrupted";
+    }
 }
 
 } // namespace
 
 report::Explanation explanationOf(const MaterialExplanation& m, const std::vector<Switch>& switches) {
   report::Explanation e;
-  e.advice = m.advice;
+  if (m.flip.front() > m.limit)
+    e.advice = m.advice;
+  else
+    e.advice = {fmt::format("Its mean FLIP {:.3f} is within {:g}; advice is by mean FLIP.", m.flip.front(), m.limit)};
   for (std::size_t i = 0; i < m.worth.size(); ++i)
     e.approximations.push_back(
         {switches[i].approximation, switches[i].id(), m.flip.front() - m.alone[i].flip, m.worth[i]});
@@ -168,7 +196,7 @@ report::Explanation explanationOf(const MaterialExplanation& m, const std::vecto
     report::ExplainedSet& added = e.sets.emplace_back();
     for (std::size_t i = 0; i < switches.size(); ++i)
       if ((set.mask >> i & 1) != 0) added.changes.push_back(switches[i].id());
-    added.flip = set.flip;
+    added.flip = set.rendered.value_or(set.flip);
     added.operations = set.cost.operations;
     added.fetches = set.cost.fetches;
   }
@@ -191,9 +219,10 @@ void explainReport(job::Context& context, const job::ReportRequest& request, con
       if (std::ranges::none_of(row.materials, isToBeExplained)) continue;
       if (job::pathByName(row.test).changes().empty()) continue;
       try {
+        context.requireGoesOn();
         explainView(context, requestOf(*asked, row, viewOfRow[i]), budgets.of(*asked), row, keep, progress);
       } catch (const job::Stopped&) {
-        return; // what is explained so far stays
+        setInterrupted(row);
       }
     }
   }

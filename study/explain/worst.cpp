@@ -13,6 +13,7 @@
 #include "base/text/toml_string.h"
 #include "job/context.h"
 #include "job/knobs.h"
+#include "scenes/scene_info.h"
 #include "scenes/view.h"
 #include "study/explain/set_renderer.h"
 
@@ -45,6 +46,7 @@ public:
     m_radius = glm::length(glm::vec3(camera.toWorld[3]) - target);
   }
 
+  std::size_t triangles() const { return scenes::describeScene(m_prepared.scene).triangles; }
   bool hasSun() const { return m_request.settings.scene.sun.has_value(); }
   float radius() const { return m_radius; }
 
@@ -177,13 +179,21 @@ private:
 
 } // namespace
 
+int pointsFor(std::size_t triangles) {
+  // A picture takes as long as 10,000 triangles, and its own; 30 to 70 s for a search, measured on two cores
+  // (bench/worst_bench.cpp).
+  constexpr double kWork = 6.6e7, kOfAPicture = 1e4;
+  constexpr int kFewest = 500, kMost = 1600;
+  return std::clamp(static_cast<int>(kWork / (static_cast<double>(triangles) + kOfAPicture)), kFewest, kMost);
+}
+
 WorstResult findWorst(job::Context& context, const job::SceneRequest& request, const WorstOptions& options,
                       const job::Progress& progress) {
   const Searcher searcher(context, request, options);
   WorstResult result;
   result.scene = request.name;
-  const int rotations = searcher.rotations(), share = std::max(1, options.points / rotations),
-            planned = share * rotations + options.refined * options.steps;
+  const int rotations = searcher.rotations();
+  int planned = 1; // pictures
   const auto valueIn = [&](Stage& stage) {
     return [&](const std::vector<double>& at) {
       context.requireGoesOn();
@@ -203,6 +213,9 @@ WorstResult findWorst(job::Context& context, const job::SceneRequest& request, c
   std::vector<Found> all;
   for (int k = 0; k < rotations; ++k) {
     Stage stage = searcher.stage(options.size, searcher.rotationOf(k));
+    const int wanted = options.points > 0 ? options.points : pointsFor(stage.triangles());
+    const int share = std::max(1, wanted / rotations);
+    planned = share * rotations + options.refined * options.steps;
     const std::vector<bool> periodic = searcher.periodic(stage);
     for (Peak& point : spreadPoints(valueIn(stage), periodic.size(), share, k * share))
       if (point.value > 0) all.push_back({std::move(point), searcher.rotationOf(k), stage.radius(), periodic});

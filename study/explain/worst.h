@@ -20,12 +20,15 @@ namespace parity::explain {
 inline constexpr std::uint64_t kLeastWorstPixels = 1000;
 
 struct WorstOptions {
-  int points = 600;  // pictures of views that are spread evenly, over all rotations
+  int points = 0;    // pictures of views that are spread evenly, over all rotations; 0: as pointsFor gives
   int refined = 8;   // of them the best, of which each is refined
   int steps = 40;    // by so many pictures at most
   int size = 128;    // longer side of the pictures that are searched, pixels
   int rotations = 4; // of the environment, evenly spread; 1: it stays as it is
 };
+
+// The number of points by which the search of most scenes takes less than a minute. triangles: over all instances.
+int pointsFor(std::size_t triangles);
 
 struct WorstView {
   std::string material;

@@ -12,14 +12,16 @@ using nlohmann::json;
 class ExplainReport : public RenderingTest {
 protected:
   static json parse(const std::filesystem::path& file) { return json::parse(readWholeFile(file)); }
-  // A report of the materials, of which gold alone is over its budget.
+  // Limits of gold, and of nothing else.
+  void limitGold(const std::string& checks) {
+    m_budgets =
+        write("budgets.toml", "[[material]]\nname = \"gold\"\nchecks = [ " + checks +
+                                  " ]\n"
+                                  "[[material]]\nname = \"*\"\nchecks = [ { metric = \"flip.mean\", fail = 0.9 } ]\n"
+                                  "[[whole]]\nchecks = [ { metric = \"flip.mean\", fail = 0.9 } ]\n");
+  }
   std::vector<std::string> command(const std::string& folder) {
-    if (m_budgets.empty())
-      m_budgets =
-          write("budgets.toml",
-                "[[material]]\nname = \"gold\"\nchecks = [ { metric = \"flip.mean\", warn = 0.05, fail = 0.06 } ]\n"
-                "[[material]]\nname = \"*\"\nchecks = [ { metric = \"flip.mean\", fail = 0.9 } ]\n"
-                "[[whole]]\nchecks = [ { metric = \"flip.mean\", fail = 0.9 } ]\n");
+    if (m_budgets.empty()) limitGold("{ metric = \"flip.mean\", warn = 0.05, fail = 0.06 }");
     return {"report",    "builtin:materials", "--env",      "builtin:sky", "--size",    "96x96",
             "--budgets", m_budgets,           "--no-cache", "-o",          path(folder)};
   }
@@ -65,10 +67,12 @@ TEST_F(ExplainReport, NamesTheApproximationOfWhatIsOverBudgetAndNothingElseChang
 
 TEST_F(ExplainReport, IsTheSameFromWorkersAndInDiff) {
   const RunResult one = runParity(join({command("one"), {"--explain", "over-budget"}}));
-  const RunResult workers = runParity(join({command("workers"), {"--explain", "over-budget", "--jobs", "1"}}));
+  const RunResult workers =
+      runParity(join({command("workers"), {"--explain", "over-budget", "--jobs", "1", "--single-file"}}));
   EXPECT_TRUE(exitedWith(2, one)) << one.err;
   EXPECT_TRUE(exitedWith(2, workers)) << workers.err;
   EXPECT_TRUE(readWholeFile(m_folder / "one/report.json") == readWholeFile(m_folder / "workers/report.json"));
+  EXPECT_TRUE(contains(readWholeFile(m_folder / "workers/index.html"), "_advised.png"));
   EXPECT_TRUE(exitedWith(0, runParity({"plan", "builtin:materials", "--env", "builtin:sky", "--size", "96x96",
                                        "--budgets", m_budgets, "--no-cache", "-o", path("plan")})));
   EXPECT_TRUE(exitedWith(0, runParity({"work", path("plan"), "-q"})));
@@ -92,7 +96,38 @@ TEST_F(ExplainReport, CostsNothingWhereAllPasses) {
   EXPECT_TRUE(exitedWith(64, runParity({"report", "builtin:furnace", "--explain", "everything"})));
 }
 
-// The second run takes both from the cache, with the same pictures.
+TEST_F(ExplainReport, SaysThatAdviceIsByMeanFlip) {
+  limitGold("{ metric = \"flip.mean\", fail = 0.9 }, { metric = \"flip.p95\", fail = 0.01 }");
+  const RunResult run = runParity(join({command("out"), {"--explain", "over-budget"}}));
+  EXPECT_TRUE(exitedWith(2, run)) << run.err;
+  EXPECT_TRUE(contains(run.out, "advice is by mean FLIP")) << run.out;
+  EXPECT_FALSE(contains(run.out, "operations")) << run.out;
+}
+
+// What cannot be explained says why; the report is there all the same.
+TEST_F(ExplainReport, SaysWhyItCouldNot) {
+  EXPECT_TRUE(exitedWith(0, runParity({"export", "builtin:materials", "-o", path("scene.glb")})));
+  std::vector<std::string> words = command("unused");
+  words[0] = "plan";
+  words[1] = path("scene.glb");
+  words.back() = path("plan");
+  EXPECT_TRUE(exitedWith(0, runParity(words)));
+  EXPECT_TRUE(exitedWith(0, runParity({"work", path("plan"), "-q"})));
+  std::filesystem::rename(path("scene.glb"), path("moved.glb"));
+  const RunResult merged = runParity({"merge", path("plan"), "-o", path("merged"), "--explain", "over-budget"});
+  EXPECT_TRUE(exitedWith(2, merged)) << merged.err;
+  EXPECT_TRUE(contains(merged.err, "not explained: ")) << merged.err;
+  std::size_t failures = 0;
+  const json report = parse(m_folder / "merged/report.json");
+  for (const json& material : report["scenes"][0]["views"][0]["materials"])
+    if (material.contains("explanation")) {
+      EXPECT_TRUE(contains(material["explanation"]["failure"].get<std::string>(), "scene.glb"));
+      ++failures;
+    }
+  EXPECT_EQ(failures, 1u);
+}
+
+// The second run takes both from the cache, with the same pictures; another limit asks for another explanation.
 TEST_F(ExplainReport, IsKeptInTheCache) {
   const auto run = [&](const std::string& folder) {
     std::vector<std::string> words = command(folder);
@@ -115,6 +150,8 @@ TEST_F(ExplainReport, IsKeptInTheCache) {
     ++pictures;
   }
   EXPECT_EQ(pictures, 1u);
+  limitGold("{ metric = \"flip.mean\", warn = 0.04, fail = 0.06 }");
+  EXPECT_TRUE(contains(run("third").err, "shade mobile"));
 }
 
 } // namespace

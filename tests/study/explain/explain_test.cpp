@@ -160,7 +160,7 @@ TEST(Explain, SuggestsAChangeOfTheAssetThatBringsItWithinItsLimit) {
   ASSERT_TRUE(over.asset);
   EXPECT_LE(over.asset->flip, limit);
   EXPECT_TRUE(std::ranges::any_of(over.advice, [&](const std::string& sentence) {
-    return sentence.find("change the asset: " + describe(*over.asset)) != std::string::npos;
+    return sentence.find(describe(*over.asset)) != std::string::npos;
   }));
 
   const job::PathChoice paths = job::pathsOf(wanted.settings);

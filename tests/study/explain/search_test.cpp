@@ -6,8 +6,18 @@
 
 #include <gtest/gtest.h>
 
+#include "study/explain/worst.h"
+
 namespace parity::explain {
 namespace {
+
+TEST(Search, TakesFewerPicturesOfScenesOfMoreTriangles) {
+  EXPECT_EQ(pointsFor(0), 1600);
+  EXPECT_EQ(pointsFor(10'000'000), 500);
+  for (std::size_t triangles = 1; triangles < 10'000'000; triangles *= 2)
+    EXPECT_LE(pointsFor(2 * triangles), pointsFor(triangles));
+  EXPECT_LT(pointsFor(100'000), pointsFor(40'000));
+}
 
 TEST(Search, SpreadsPointsEvenlyAndGoesOnWhereItStopped) {
   const auto zero = [](const std::vector<double>&) { return 0.0; };

@@ -11,7 +11,7 @@ const kHalfGap = 0.06; // beside each bar of a tenth, as a share of the tenth
 /** The approximation that adds most; null: none adds anything. */
 export function mainApproximation({ approximations }: Explanation): ApproximationEffect | null {
   const [first] = approximations;
-  return first && first.share > 0 ? first : null;
+  return first && first.share >= kLeastSign ? first : null;
 }
 
 /** "formulas=refit + capture=fp16" */
