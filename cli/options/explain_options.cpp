@@ -45,7 +45,7 @@ void addWorstOptions(CLI::App& app, RawExplainOptions& raw) {
   app.add_option("scene", worst.scene, "Scene file or builtin:NAME")->type_name(kSceneFile)->required();
   app.add_option("--points", worst.options.points,
                  "Pictures that are spread over the views, before the best are refined.\n"
-                 "Default: 500 to 1600, fewer for scenes of more triangles")
+                 "Default: 250 to 1600, fewer for scenes of more triangles")
       ->check(wholeWithin(8, 100000))
       ->group("Worst");
   app.add_option("--rotations", worst.options.rotations, "Rotations of the environment to try; 1: none")

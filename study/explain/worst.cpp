@@ -213,8 +213,8 @@ private:
 int pointsFor(std::size_t triangles) {
   // A picture takes as long as 10,000 triangles, and its own; 30 to 60 s for a search, measured on two cores
   // (bench/worst_bench.cpp).
-  constexpr double kWork = 6.6e7, kOfAPicture = 1e4;
-  constexpr int kFewest = 500, kMost = 1600;
+  constexpr double kWork = 3.2e7, kOfAPicture = 1e4;
+  constexpr int kFewest = 250, kMost = 1600;
   return std::clamp(static_cast<int>(kWork / (static_cast<double>(triangles) + kOfAPicture)), kFewest, kMost);
 }
 

@@ -31,7 +31,7 @@ job::SceneRequest at(job::SceneRequest request, int size, float rotation) {
   return request;
 }
 
-job::PathChoice pathsFor(const job::Settings& settings) {
+job::PathChoice comparedPaths(const job::Settings& settings) {
   job::PathChoice choice = job::pathsOf(settings);
   choice.truth = false;
   return choice;
@@ -40,7 +40,7 @@ job::PathChoice pathsFor(const job::Settings& settings) {
 } // namespace
 
 Stage::Stage(job::Context& context, job::SceneRequest request, int size, float rotation)
-    : m_context(context), m_request(at(std::move(request), size, rotation)), m_paths(pathsFor(m_request.settings)),
+    : m_context(context), m_request(at(std::move(request), size, rotation)), m_paths(comparedPaths(m_request.settings)),
       m_prepared(job::prepareScene(context, m_request, m_paths)) {
   const scenes::ViewRequest& view = m_request.views.front();
   scenes::ViewRequest fitted = view;
