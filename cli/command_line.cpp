@@ -27,6 +27,7 @@
 #include "cli/options/option_parts.h"
 #include "cli/options/plan_options.h"
 #include "cli/options/plot_options.h"
+#include "cli/options/preset_options.h"
 #include "cli/options/render_options.h"
 #include "cli/options/stress_options.h"
 #include "cli/options/suite_options.h"
@@ -233,6 +234,13 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       "worst", "Find the view, the sun and the rotation of the environment that show a scene at its worst");
   addWorstOptions(worstApp, rawExplain);
 
+  RawPresetOptions rawPreset;
+  CLI::App& presetApp = *app.add_subcommand("preset", "Start a preset folder of your own formulas");
+  addPresetOptions(presetApp, rawPreset);
+  CLI::App& studyApp =
+      *app.add_subcommand("study-preset", "Measure presets: error, stress and cost of their formulas, in one page");
+  addStudyPresetOptions(studyApp, rawPreset);
+
   RawStressOptions rawStress;
   CLI::App& stressApp = *app.add_subcommand(
       "stress", "Test every shading function and whole renders at the edges of their domains; 2: a new finding");
@@ -369,6 +377,10 @@ Parsed parseCommandLine(int argc, const char* const* argv) {
       parsed.command = settleExplain(explainApp, rawExplain);
     } else if (benchApp.parsed()) {
       parsed.command = settleBench(benchApp, rawBench);
+    } else if (presetApp.parsed()) {
+      parsed.command = settlePreset(presetApp, rawPreset);
+    } else if (studyApp.parsed()) {
+      parsed.command = settleStudyPreset(studyApp, rawPreset);
     } else if (stressApp.parsed()) {
       parsed.command = settleStress(rawStress);
     } else if (bakeApp.parsed()) {

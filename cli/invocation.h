@@ -22,6 +22,7 @@
 #include "scenes/suite/suite.h"
 #include "study/explain/worst.h"
 #include "study/fit/truth.h"
+#include "study/preset/preset_study.h"
 #include "study/stress/stress_run.h"
 #include "study/sweep/pareto.h"
 #include "study/sweep/trial_options.h"
@@ -122,6 +123,7 @@ struct RenderCommand {
   std::string errorMap; // of the reference path; empty: none
   std::string term;     // a term, or an intermediate of the path; empty: the picture
   std::string ids;      // file for the materials of the pixels; empty: none
+  bool watches = false; // the preset folders of the path: written again at each change
 };
 
 // parity render --list-terms.
@@ -200,10 +202,24 @@ struct WorstCommand {
   explain::WorstOptions options;
 };
 
+struct PresetNewCommand {
+  std::string folder, from = "ue4-2020";
+};
+
+// parity preset functions.
+struct PresetFunctionsCommand {};
+
+struct StudyPresetCommand {
+  CommonOptions common;
+  presets::StudyRequest request; // all but its environments and its size
+  std::string folder;            // empty: no page is written
+};
+
 struct StressCommand {
-  stress::Options options;
-  std::string at;           // one input by hand; empty: none
-  std::string folder, json; // "-" for stdout, "" for none
+  stress::Options options;          // all but the presets
+  std::vector<std::string> presets; // of the mobile path; none: all
+  std::string at;                   // one input by hand; empty: none
+  std::string folder, json;         // "-" for stdout, "" for none
   bool list = false, quiet = false;
   int threads = 0;
 };
@@ -312,12 +328,12 @@ struct HistoryPageCommand {
 using HistoryCommand = std::variant<HistoryAddCommand, HistoryRebuildCommand, HistoryShowCommand, HistoryBlameCommand,
                                     HistoryStepCommand, HistoryGcCommand, HistoryBaselineCommand, HistoryPageCommand>;
 
-using Invocation =
-    std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand, ListTermsCommand,
-                 FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand, FitCommand, BenchCommand,
-                 ExplainCommand, WorstCommand, StressCommand, BakeCommand, DevicesCommand, InfoCommand, ExportCommand,
-                 CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand, VersionCommand, GuideCommand,
-                 HistoryCommand, ContractCommand, CalibrateCommand>;
+using Invocation = std::variant<ReportCommand, PlanCommand, WorkCommand, MergeCommand, DiffCommand, RenderCommand,
+                                ListTermsCommand, FlipCommand, ApproveCommand, BudgetSuggestCommand, BudgetCheckCommand,
+                                FitCommand, BenchCommand, ExplainCommand, WorstCommand, PresetNewCommand,
+                                PresetFunctionsCommand, StudyPresetCommand, StressCommand, BakeCommand, DevicesCommand,
+                                InfoCommand, ExportCommand, CacheCommand, SuiteListCommand, PlotCommand, KnobsCommand,
+                                VersionCommand, GuideCommand, HistoryCommand, ContractCommand, CalibrateCommand>;
 
 // What parsing led to: a command to run, or text that was asked for or is due (help, a usage error) with its
 // exit code.
@@ -353,6 +369,9 @@ int runPlotCommand(const PlotCommand& command);
 int runBenchCommand(const BenchCommand& command, const std::string& commandLine);
 int runExplainCommand(const ExplainCommand& command, const std::string& commandLine);
 int runWorstCommand(const WorstCommand& command, const std::string& commandLine);
+int runPresetNewCommand(const PresetNewCommand& command);
+int runPresetFunctionsCommand();
+int runStudyPresetCommand(const StudyPresetCommand& command);
 int runStressCommand(const StressCommand& command);
 int runBakeCommand(const BakeCommand& command);
 int runDevicesCommand(const DevicesCommand& command);

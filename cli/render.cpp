@@ -1,11 +1,15 @@
 // parity render: one scene by one path, with its terms or one intermediate on request.
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/image/image_io.h"
+#include "base/interrupt.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "cli/invocation.h"
@@ -13,11 +17,13 @@
 #include "cli/progress.h"
 #include "cli/requests.h"
 #include "compare/metrics/metrics.h"
+#include "job/knobs.h"
 #include "job/scene/material_choice.h"
 #include "job/scene/material_ids.h"
 #include "job/scene/passes.h"
 #include "job/scene/scene_renderer.h"
 #include "job/view/displayed.h"
+#include "paths/preset/preset_folder.h"
 #include "report/term_words.h"
 #include "scenes/view.h"
 #include "shading/terms.h"
@@ -88,33 +94,43 @@ job::Settings settingsOf(const RenderCommand& command) {
   return settings;
 }
 
-} // namespace
-
-std::vector<std::string> termNames() {
-  std::vector<std::string> names(shading::kTermNames.begin(), shading::kTermNames.end());
-  for (const paths::Path* path : job::allPaths())
-    for (const paths::Intermediate& each : path->intermediates())
-      if (std::ranges::count(names, each.name) == 0) names.emplace_back(each.name);
-  return names;
-}
-
-int runListTermsCommand() {
-  print("Terms of light, in every path:\n");
-  for (const auto& [term, words] : report::kTermWords) print("  {:<20} {}\n", term, words);
+// The preset folders of these settings, as their users named them.
+std::vector<std::string> presetFolders(const job::Settings& settings) {
+  std::vector<std::string> folders;
   for (const paths::Path* path : job::allPaths()) {
-    print("Intermediates of the {} path (--path {}):\n", path->title(), path->name());
-    for (const paths::Intermediate& each : path->intermediates()) print("  {:<20} {}\n", each.name, each.meaning);
+    const std::string knob = path->folderKnob();
+    if (knob.empty()) continue;
+    const std::string text = path->knobs().find(knob)->text(settings.options);
+    for (const auto& folder : paths::readPresetFolders(path->name()))
+      if (folder->text() == text) folders.push_back(folder->folder());
   }
-  return 0;
+  return folders;
 }
 
-int runRenderCommand(const RenderCommand& command) {
-  const job::Settings settings = settingsOf(command);
+// The folders as they are now. What else was prepared stays, unless the paths need the light in another form.
+void readAgain(const RenderCommand& command, job::Context& context, job::PreparedScene& prepared,
+               job::SceneRequest& request, const job::PathChoice& paths) {
+  paths::forgetPresetFolders();
+  RenderCommand now = command;
+  now.common.settings = job::withKnobs(command.common.settings, command.common.given);
+  job::Settings settings = settingsOf(now);
+  bool isSame = true;
+  for (const paths::Path* path : paths.chosen)
+    isSame = isSame && path->lightNeeds(settings.options) == path->lightNeeds(prepared.settings.options) &&
+             path->textureBlock(settings.options) == path->textureBlock(prepared.settings.options);
+  request.settings = settings;
+  if (isSame)
+    prepared.settings.options = settings.options;
+  else
+    prepared = job::prepareScene(context, request, paths);
+}
+
+// What cannot be combined.
+void requireSense(const RenderCommand& command, const job::Settings& settings, const job::PathChoice& paths) {
   const std::string extension = extensionOf(command.output);
   const bool layered = settings.terms && command.term.empty();
   if (command.common.settings.terms && !command.term.empty())
     throw base::Error(base::ExitCode::usage, "--term", command.term, "cannot be combined with --terms");
-  const job::PathChoice paths = choiceOf(command);
   if (paths.intermediate != 0)
     if (const paths::Path& path = *paths.chosen.front();
         path.targetName(settings.options) != path.targetName(paths::Options()))
@@ -129,16 +145,19 @@ int runRenderCommand(const RenderCommand& command) {
   if (!command.errorMap.empty() && !paths.truth)
     throw base::Error(base::ExitCode::usage, "--error-map", command.path, "only --path truth has an error map");
 
-  job::SceneRequest request = sceneRequest(command.common, command.scene);
-  request.settings = settings;
-  requireSeparate({{"-o", command.output}, {"--error-map", command.errorMap}, {"--ids", command.ids}},
-                  inputFiles(command.common, {request}));
-  const base::ThreadLimit threads(command.common.threads);
-  job::Context context(settings);
-  job::PreparedScene prepared = job::prepareScene(context, request, paths);
-  for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
-  job::requireMaterials(prepared.scene, settings.materials);
-  job::SceneRenderer renderer(context, prepared, prepared.settings, paths, 1, {}, job::imageRelease(prepared, paths));
+  if (command.watches && presetFolders(settings).empty())
+    throw base::Error(base::ExitCode::usage, "--watch", "",
+                      "there is no preset folder to watch (--mobile-preset FOLDER)");
+}
+
+// One picture, and what goes with it.
+void draw(const RenderCommand& command, job::Context& context, job::PreparedScene& prepared,
+          const job::SceneRequest& request, const job::PathChoice& paths) {
+  const job::Settings& settings = request.settings;
+  const std::string extension = extensionOf(command.output);
+  const bool layered = settings.terms && command.term.empty();
+  job::SceneRenderer renderer(context, prepared, prepared.settings, paths, 1, {},
+                              command.watches ? gpu::ImageDone() : job::imageRelease(prepared, paths));
   for (const std::string& note : renderer.notes()) base::logWarning(note);
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
   job::ViewFrames frames = renderer.render(scenes::makeCamera(prepared.scene, request.views.front(), aspect),
@@ -168,6 +187,80 @@ int runRenderCommand(const RenderCommand& command) {
   } else {
     base::writeImage(command.output, color);
   }
+}
+
+// When the folders' files were written last, and how many they are.
+std::vector<std::filesystem::file_time_type> timesOf(const std::vector<std::string>& folders) {
+  std::vector<std::filesystem::file_time_type> times;
+  std::error_code none;
+  for (const std::string& folder : folders)
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
+      times.push_back(entry.last_write_time(none));
+  return times;
+}
+
+// The picture again at each change of the folders. What is wrong with one is said, and the next change is waited for.
+int watch(const RenderCommand& command, job::Context& context, job::PreparedScene& prepared, job::SceneRequest& request,
+          const job::PathChoice& paths) {
+  constexpr auto kPause = std::chrono::milliseconds(20);
+  const std::vector<std::string> folders = presetFolders(request.settings);
+  const base::StopSignal stop;
+  base::logInfo(fmt::format("watching {}; Ctrl-C ends", fmt::join(folders, " and ")));
+  bool isFirst = true;
+  for (std::vector<std::filesystem::file_time_type> seen; base::StopSignal::received() == 0;) {
+    if (const auto times = timesOf(folders); times != seen) {
+      seen = times;
+      const base::Stopwatch time(nullptr, "picture");
+      try {
+        if (!isFirst) readAgain(command, context, prepared, request, paths);
+        isFirst = false;
+        draw(command, context, prepared, request, paths);
+        print("{}: {:.2f} s\n", command.output, time.elapsedMs() * 1e-3);
+        finishStdout();
+      } catch (const base::Error& error) {
+        base::logError(error.what());
+      }
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+  return 0;
+}
+
+} // namespace
+
+std::vector<std::string> termNames() {
+  std::vector<std::string> names(shading::kTermNames.begin(), shading::kTermNames.end());
+  for (const paths::Path* path : job::allPaths())
+    for (const paths::Intermediate& each : path->intermediates())
+      if (std::ranges::count(names, each.name) == 0) names.emplace_back(each.name);
+  return names;
+}
+
+int runListTermsCommand() {
+  print("Terms of light, in every path:\n");
+  for (const auto& [term, words] : report::kTermWords) print("  {:<20} {}\n", term, words);
+  for (const paths::Path* path : job::allPaths()) {
+    print("Intermediates of the {} path (--path {}):\n", path->title(), path->name());
+    for (const paths::Intermediate& each : path->intermediates()) print("  {:<20} {}\n", each.name, each.meaning);
+  }
+  return 0;
+}
+
+int runRenderCommand(const RenderCommand& command) {
+  const job::Settings settings = settingsOf(command);
+  const job::PathChoice paths = choiceOf(command);
+  requireSense(command, settings, paths);
+  job::SceneRequest request = sceneRequest(command.common, command.scene);
+  request.settings = settings;
+  requireSeparate({{"-o", command.output}, {"--error-map", command.errorMap}, {"--ids", command.ids}},
+                  inputFiles(command.common, {request}));
+  const base::ThreadLimit threads(command.common.threads);
+  job::Context context(settings);
+  job::PreparedScene prepared = job::prepareScene(context, request, paths);
+  for (const std::string& warning : prepared.scene.warnings) base::logWarning(warning);
+  job::requireMaterials(prepared.scene, settings.materials);
+  if (command.watches) return watch(command, context, prepared, request, paths);
+  draw(command, context, prepared, request, paths);
   if (command.common.timings) printTimings(context.timings().stages());
   return 0;
 }

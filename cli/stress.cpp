@@ -12,6 +12,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "gpu/device/device.h"
+#include "job/knobs.h"
 
 namespace parity::cli {
 
@@ -38,7 +39,12 @@ int runStressCommand(const StressCommand& command) {
   std::error_code problem; // found before the minutes that follow
   if (!command.folder.empty()) std::filesystem::create_directories(command.folder, problem);
   if (problem) throw base::fileError(command.folder, "", problem.message());
-  const stress::Report report = stress::runStress(command.options, makeProgress(command.quiet));
+  stress::Options options = command.options;
+  for (const std::string& preset : command.presets) {
+    const job::Settings settings = job::withKnobs({}, {{"mobile-preset", {{preset}, "--mobile-preset"}}});
+    options.render.presets.push_back(job::knobs().find("mobile-preset")->text(settings));
+  }
+  const stress::Report report = stress::runStress(options, makeProgress(command.quiet));
   if (!command.folder.empty()) {
     const std::filesystem::path folder = command.folder;
     base::writeText(folder / "stress.json", stress::formatJson(report));

@@ -8,7 +8,7 @@ set(packages
   libdraco-dev "Draco, linked into libparity_draco.so"
   spirv-tools "SPIRV-Tools, linked into the program"
   libvulkan-dev "Vulkan-Hpp and Vulkan-Headers, headers"
-  glslang-dev "glslang's headers of SPIR-V"
+  glslang-dev "glslang, linked into the program"
   libhwy-dev "Highway, headers"
   libglm-dev "GLM, headers"
   libcli11-dev "CLI11, headers"

@@ -64,6 +64,7 @@ find_library(WEBP_LIBRARY webp REQUIRED)
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
 # SPIR-V's numbers, which spirv-tools does not bring along.
 find_path(GLSLANG_INCLUDE_DIR glslang/SPIRV/spirv.hpp REQUIRED)
+find_package(glslang REQUIRED)
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 
 if(PARITY_TESTS)

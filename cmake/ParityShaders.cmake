@@ -52,29 +52,25 @@ function(parity_shaders target)
   add_dependencies(${target} ${target}_shaders)
 endfunction()
 
-# parity_formula(TARGET formula.glsl): the mobile shader with that environment BRDF (mobile/formulas.h), in both precisions:
-# k<Formula>Fp16Comp and k<Formula>Fp32Comp, as parity_shaders makes them; and k<Formula>LobesFp16Comp and so on, for scenes
-# with lobes beside the base's own.
-function(parity_formula target formula)
-  get_filename_component(name ${formula} NAME_WE)
-  foreach(variant "" _lobes)
-    set(lobes)
-    if(variant)
-      set(lobes "#define PARITY_LOBES")
-    endif()
-    foreach(precision 16 32)
-      set(shader ${CMAKE_CURRENT_BINARY_DIR}/${name}${variant}_fp${precision}.comp)
-      file(CONFIGURE OUTPUT ${shader} CONTENT [[#version 460
-#extension GL_GOOGLE_include_directive : require
-#define PARITY_FP@precision@
-@lobes@
-#define PARITY_OWN_ENVIRONMENT_BRDF
-#include "shading/real.glsl"
-#include "@formula@"
-#include "mobile/shaders/mobile.glsl"
-]] @ONLY)
-      list(APPEND shaders ${shader})
-    endforeach()
-  endforeach()
-  parity_shaders(${target} INCLUDE gpu shading mobile SHADERS ${shaders})
+# parity_shader_texts(TARGET NAME files...): the texts themselves, for what is compiled while the program runs (gpu/glsl). The
+# header "<folder>_texts/texts.h" (made in the build folder) holds them as the array NAME. files: from the source root.
+function(parity_shader_texts target name)
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  set(out ${CMAKE_BINARY_DIR}/shaders/${target})
+  set(header ${out}/${folder}_texts/texts.h)
+  string(REPLACE ";" "," files "${ARGN}")
+  set(sources ${ARGN})
+  list(TRANSFORM sources PREPEND ${CMAKE_SOURCE_DIR}/)
+  set(script ${CMAKE_SOURCE_DIR}/cmake/EmbedShaderTexts.cmake)
+  file(MAKE_DIRECTORY ${out}/${folder}_texts)
+  add_custom_command(
+    OUTPUT ${header}
+    COMMAND ${CMAKE_COMMAND} -D OUT=${header} -D ROOT=${CMAKE_SOURCE_DIR} -D NAME=${name} -D FILES=${files} -P ${script}
+    DEPENDS ${sources} ${script}
+    COMMENT "Texts of the shaders of ${folder}"
+    VERBATIM)
+  target_sources(${target} PRIVATE ${header})
+  target_include_directories(${target} PRIVATE ${out})
+  parity_generated(${target}_texts ${header})
+  add_dependencies(${target} ${target}_texts)
 endfunction()

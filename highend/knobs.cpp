@@ -1,17 +1,30 @@
 #include "highend/knobs.h"
 
 #include "base/member_count.h"
+#include "highend/programs.h"
 
 namespace parity::highend {
 
 namespace {
 
-static_assert(base::memberCount<shading::SurfaceModel>() == 3 && base::memberCount<Options>() == 6,
+static_assert(base::memberCount<shading::SurfaceModel>() == 3 && base::memberCount<Options>() == 8,
               "a new member needs a row");
 
 base::KnobTable<Options> makeKnobs() {
   using base::KnobStage;
   base::KnobTable<Options> t;
+  t.section("Paths", {"highend"});
+  t.special(
+       base::KnobType::choice, "highend-preset", "", "Formulas of the high-end path",
+       [](Options& o, const std::string& text) {
+         const bool isFolder = text != kBuiltInPreset && paths::namesPresetFolder(text);
+         if (!isFolder) base::readChoice(text, {kBuiltInPreset});
+         o = isFolder ? optionsOfFolder(text) : Options();
+       },
+       [](const Options& o) { return o.preset; })
+      .costs(KnobStage::shading)
+      .orFolder()
+      .knob.choices = {kBuiltInPreset};
   t.section("Paths", {"highend", "truth"});
   t.choice<&Options::model, &shading::SurfaceModel::geometryTerm>("geometry-term", geometryTermNames(),
                                                                   "Geometry term of the high-end path and the truth")

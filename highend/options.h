@@ -1,16 +1,23 @@
 // Knobs of the high-end path, plain data.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "highend/env_brdf_lut.h"
 #include "lighting/environment/environment_light.h"
 
+namespace parity::paths {
+class PresetFolder;
+}
+
 namespace parity::highend {
 
 using shading::Compensation;
 using shading::DiffuseLobe;
+
+inline constexpr const char* kBuiltInPreset = "standard";
 
 // How the prefiltered environment is read where the view is not along the normal (shading/off_specular.glsl).
 enum class OffSpecular {
@@ -22,6 +29,8 @@ enum class OffSpecular {
 };
 
 struct Options {
+  std::string preset = kBuiltInPreset;                      // or of a folder its path and hash
+  std::shared_ptr<const paths::PresetFolder> own = nullptr; // the folder; null: none
   shading::SurfaceModel model{};
   Compensation compensation = Compensation::kullaConty;
   OffSpecular offSpecular = OffSpecular::threeTaps;

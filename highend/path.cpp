@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "highend/environment_upload.h"
 #include "highend/knobs.h"
+#include "highend/programs.h"
 #include "highend/renderer.h"
 #include "highend/sheen_table.h"
 #include "highend/table_brdf.h"
@@ -101,6 +102,8 @@ public:
     static const base::KnobTable<paths::Options> table = paths::knobsOf(highend::knobs());
     return table;
   }
+  const paths::PresetHost* presetHost() const override { return &highend::presetHost(); }
+  std::string folderKnob() const override { return "highend-preset"; }
   paths::LightNeeds lightNeeds(const paths::Options& options) const override {
     return {.prefilter = prefilterOf(options.of<Options>()), .cells = true};
   }
@@ -112,7 +115,9 @@ public:
     return &options.of<Options>().model;
   }
   std::unique_ptr<paths::EnvBrdf> environmentBrdf(const paths::Options& options) const override {
-    return std::make_unique<TableBrdf>(options.of<Options>());
+    const Options& own = options.of<Options>();
+    if (own.own && own.own->defines("presetEnvironmentBrdf")) return nullptr; // only its shader knows it
+    return std::make_unique<TableBrdf>(own);
   }
   std::vector<std::string> environmentBrdfKnobs() const override {
     return {"geometry-term", "fresnel", "compensation", "lut-size"};
@@ -138,10 +143,14 @@ public:
   }
 
   std::vector<KnobSet> knobSets() const override {
-    return {{"Karis 2013 (no off-specular read, no compensation)",
-             "environment",
-             {{"off-specular", "none"}, {"compensation", "none"}}},
-            {"Karis 2013 and Turquin 2019", "environment", {{"off-specular", "none"}, {"compensation", "turquin"}}}};
+    std::vector<KnobSet> sets = {
+        {"Karis 2013 (no off-specular read, no compensation)",
+         "environment",
+         {{"off-specular", "none"}, {"compensation", "none"}}},
+        {"Karis 2013 and Turquin 2019", "environment", {{"off-specular", "none"}, {"compensation", "turquin"}}}};
+    for (const auto& folder : paths::readPresetFolders(name()))
+      sets.push_back({folder->text(), "", {{"highend-preset", folder->text()}}});
+    return sets;
   }
   void prepareAgain(const std::string& knob, const paths::Options& options,
                     const scenes::Environment& environment) const override {

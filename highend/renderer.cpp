@@ -7,8 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "highend_shaders/highend.comp.h"
-#include "highend_shaders/highend_lobes.comp.h"
+#include "highend/programs.h"
 
 namespace parity::highend {
 
@@ -104,8 +103,8 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                    const Inputs& inputs, const Options& options) {
   gpu::PathProgram program;
   program.name = "highend";
-  program.spirv = kHighendComp;
-  program.spirvOfLobes = kHighendLobesComp;
+  program.spirv = programOf(options, false);
+  program.spirvOfLobes = scene.hasLobes() ? programOf(options, true) : program.spirv; // where it is asked for
   // Directional ones, those that reach everything, the others: with and without lists in one order.
   std::vector<std::size_t> order(inputs.lights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "job/knobs.h"
 #include "job/paths.h"
+#include "paths/preset/preset_folder.h"
 
 namespace parity::job {
 
@@ -25,6 +26,7 @@ std::vector<std::string> presetsOf(const paths::Path& path) {
 const paths::Path* pathOfPreset(const std::string& preset) {
   for (const paths::Path* path : allPaths())
     if (std::ranges::count(presetsOf(*path), preset) > 0) return path;
+  if (paths::namesPresetFolder(preset)) return &pathByName(paths::pathOfPresetFolder(preset));
   return nullptr;
 }
 
@@ -41,7 +43,10 @@ void setWhatIfs(Settings& settings, const base::KnobValue& value) {
   for (const std::string& text : value)
     for (std::size_t at = 0; at <= text.size();) {
       const std::size_t end = std::min(text.find(',', at), text.size());
-      const std::string& name = known[base::readChoice(text.substr(at, end - at), known)];
+      const std::string given = text.substr(at, end - at);
+      const std::string name = paths::namesPresetFolder(given) && std::ranges::count(known, given) == 0
+                                   ? given
+                                   : known[base::readChoice(given, known)];
       if (std::ranges::count(settings.whatIfs, name, &WhatIfPreset::preset) == 0)
         settings.whatIfs.push_back({name, pathOfPreset(name)->name(), {}});
       at = end + 1;
@@ -62,7 +67,7 @@ std::string whatIfText(const Settings& settings) {
 void deriveWhatIfs(Settings& settings, const Settings& plain, const base::GivenKnobs& given) {
   for (WhatIfPreset& each : settings.whatIfs) {
     Settings other = plain;
-    knobs().apply(other, base::merged(given, {{pathByName(each.path).presetKnob(), {{each.preset}, kOption}}}));
+    knobs().apply(other, base::merged(given, {{pathByName(each.path).folderKnob(), {{each.preset}, kOption}}}));
     each.options = other.options;
   }
 }

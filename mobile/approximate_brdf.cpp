@@ -42,6 +42,7 @@ const char* describe(EnvironmentBrdf brdf) {
   case EnvironmentBrdf::ue4:
     return "EnvBRDFApprox, B is 0 below F0 = 2 % (UE4)";
   case EnvironmentBrdf::refit:
+  case EnvironmentBrdf::own: // never here: SampledBrdf has those
     break;
   }
   return "refit (docs/refit.md)";

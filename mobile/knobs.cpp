@@ -1,14 +1,17 @@
 #include "mobile/knobs.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/member_count.h"
+#include "mobile/programs.h"
 
 namespace parity::mobile {
 
 namespace {
 
-static_assert(base::memberCount<Options>() == 30 && base::memberCount<Mixing>() == 3, "a new member needs a row");
+static_assert(base::memberCount<Options>() == 31 && base::memberCount<Mixing>() == 3, "a new member needs a row");
 
 constexpr const char* kPresets = "set by the preset";
 
@@ -26,14 +29,16 @@ void addLook(base::KnobTable<Options>& t) {
   t.special(
        KnobType::choice, "mobile-preset", "", "Formulas of the mobile path",
        [](Options& o, const std::string& text) {
-         const Options old = o;
-         o = presetByName(presetNames()[base::readChoice(text, presetNames())]);
-         o.precision = old.precision, o.target = old.target, o.textures = old.textures;
-         o.lightCap = old.lightCap, o.pixelFog = old.pixelFog, o.lightmap = old.lightmap;
+         const bool isBuiltIn = std::ranges::count(presetNames(), text) > 0;
+         if (!isBuiltIn && paths::namesPresetFolder(text))
+           o = optionsOfFolder(text, o);
+         else
+           o = withRest(presetByName(presetNames()[base::readChoice(text, presetNames())]), o);
        },
        [](const Options& o) { return o.preset; })
       .costs(KnobStage::shading)
       .listedAs("presets")
+      .orFolder()
       .knob.choices = presetNames();
   t.choice<&Options::environmentBrdf>("environment-brdf", environmentBrdfNames(), "Mobile path: the environment BRDF")
       .titled("mobile environment BRDF")
@@ -218,6 +223,8 @@ void requireSense(const Options& options, const std::string& display) {
   if (!(options.mixing.begin < options.mixing.end))
     refuse("--mixing-begin",
            fmt::format("{} is not below --mixing-end ({})", options.mixing.begin, options.mixing.end));
+  if (options.directLobe == DirectLobe::own && !(options.own && options.own->defines("presetDirectLobe")))
+    refuse("--direct-lobe", "'own' needs a preset folder that defines presetDirectLobe");
   // Refit's lobe and its environment BRDF share their terms: neither is anything without the other.
   if ((options.directLobe == DirectLobe::refit) != (options.environmentBrdf == EnvironmentBrdf::refit))
     refuse(

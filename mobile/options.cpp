@@ -1,12 +1,10 @@
 #include "mobile/options.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "mobile/formulas.h"
 
 namespace parity::mobile {
 
@@ -36,11 +34,6 @@ const std::vector<Options>& presets() {
                                      .transmission = TransmissionForm::mixed,
                                      .diffuseTransmission = DiffuseTransmissionForm::lambert,
                                      .roughnessFloor = 0}};
-    for (const Options& added : addedPresets()) {
-      if (std::ranges::count(presets, added.preset, &Options::preset) > 0)
-        throw std::logic_error("two mobile presets are called " + added.preset);
-      presets.push_back(added);
-    }
     return presets;
   }();
   return all;
@@ -65,17 +58,19 @@ Options presetByName(const std::string& name) {
   return *found;
 }
 
+Options withRest(Options preset, const Options& rest) {
+  preset.precision = rest.precision, preset.target = rest.target, preset.textures = rest.textures;
+  preset.lightCap = rest.lightCap, preset.pixelFog = rest.pixelFog, preset.lightmap = rest.lightmap;
+  return preset;
+}
+
 CaptureScale captureScaleOf(const Options& options, bool hasCaptures) {
   if (options.captureScale != CaptureScale::automatic) return options.captureScale;
   return hasCaptures ? CaptureScale::mixing : CaptureScale::sky;
 }
 
 const std::vector<std::string>& environmentBrdfNames() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"karis2014", "ue4", "refit"};
-    for (const Options& preset : addedPresets()) all.push_back(preset.preset);
-    return all;
-  }();
+  static const std::vector<std::string> names = {"karis2014", "ue4", "refit", "own"};
   return names;
 }
 const std::vector<std::string>& precisionNames() {
@@ -83,7 +78,7 @@ const std::vector<std::string>& precisionNames() {
   return names;
 }
 const std::vector<std::string>& directLobeNames() {
-  static const std::vector<std::string> names = {"d-approx", "calc-specular", "refit", "phong-approx"};
+  static const std::vector<std::string> names = {"d-approx", "calc-specular", "refit", "phong-approx", "own"};
   return names;
 }
 const std::vector<std::string>& captureScaleNames() {

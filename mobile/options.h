@@ -1,11 +1,16 @@
 // Presets of the mobile path, and the knobs that they set.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/image/texture_block.h"
 #include "gpu/surface/output_target.h"
+
+namespace parity::paths {
+class PresetFolder;
+}
 
 namespace parity::mobile {
 
@@ -14,13 +19,13 @@ namespace parity::mobile {
 enum class Precision { fp16, fp32 };
 
 // The environment BRDF: Karis' EnvBRDFApprox, UE4's with AB.y *= saturate(50 g), or our own (shading/refit.glsl), whose
-// one read leans off the mirror direction and to which the direct lobe `refit` belongs. Beyond them: what addPreset
-// adds (mobile/formulas.h).
-enum class EnvironmentBrdf { karis2014, ue4, refit };
+// one read leans off the mirror direction and to which the direct lobe `refit` belongs; or a preset folder's.
+enum class EnvironmentBrdf { karis2014, ue4, refit, own };
 
 // The lobe of direct light: D_Approx around the reflection vector, CalcSpecular around the half vector, GGX and Smith
-// whole (of EnvironmentBrdf::refit alone), or D_Approx as the engine ships it, with a floor and a bound.
-enum class DirectLobe { dApprox, calcSpecular, refit, phongApprox };
+// whole (of EnvironmentBrdf::refit alone), D_Approx as the engine ships it, with a floor and a bound, or a preset
+// folder's.
+enum class DirectLobe { dApprox, calcSpecular, refit, phongApprox, own };
 
 // How the reflected environment follows the indirect light (captureScale of shading/capture.glsl), besides
 // SkyLightColor, which scales every environment that is no scene capture. automatic: as the engine, by what the cube is
@@ -69,7 +74,8 @@ enum class DiffuseTransmissionForm { none, lambert };
 enum class LightmapForm { lq, hq };
 
 struct Options {
-  std::string preset = "ue4-2020"; // the name of the set that the knobs began as
+  std::string preset = "ue4-2020"; // the name of the set that the knobs began as; of a folder its path and hash
+  std::shared_ptr<const paths::PresetFolder> own = nullptr; // the folder; null: none
   EnvironmentBrdf environmentBrdf = EnvironmentBrdf::ue4;
   DirectLobe directLobe = DirectLobe::calcSpecular;
   CaptureScale captureScale = CaptureScale::automatic;
@@ -110,22 +116,24 @@ struct Options {
 const std::vector<std::string>& presetNames();
 // Throws Error (usage) naming the known presets.
 Options presetByName(const std::string& name);
+// The options of a preset, and of `rest` what no preset sets.
+Options withRest(Options preset, const Options& rest);
 
 // What acts: of `automatic` mixing where the cubes are scene captures, sky where the cube is the environment.
 CaptureScale captureScaleOf(const Options& options, bool hasCaptures);
 
 // Names as the command line and reports have them, in the order of the enumerators.
-const std::vector<std::string>& environmentBrdfNames();         // "karis2014", "ue4", "refit", those of addPreset
-const std::vector<std::string>& directLobeNames();              // "d-approx", "calc-specular", "refit", "phong-approx"
-const std::vector<std::string>& precisionNames();               // "fp16", "fp32"
-const std::vector<std::string>& captureScaleNames();            // "auto", "sky", "mixing", "full", "occlusion"
-const std::vector<std::string>& captureEncodingNames();         // "rgbm", "rgb9e5", "fp16"
-const std::vector<std::string>& skyFormNames();                 // "4", "9", "tinted"
-const std::vector<std::string>& coatFormNames();                // "none", "ue4", "refit"
-const std::vector<std::string>& sheenFormNames();               // "none", "fit"
-const std::vector<std::string>& anisotropyFormNames();          // "none", "bent"
-const std::vector<std::string>& iridescenceFormNames();         // "none", "tint"
-const std::vector<std::string>& transmissionFormNames();        // "none", "alpha", "refracted", "mixed"
+const std::vector<std::string>& environmentBrdfNames();  // "karis2014", "ue4", "refit", "own"
+const std::vector<std::string>& directLobeNames();       // "d-approx", "calc-specular", "refit", "phong-approx", "own"
+const std::vector<std::string>& precisionNames();        // "fp16", "fp32"
+const std::vector<std::string>& captureScaleNames();     // "auto", "sky", "mixing", "full", "occlusion"
+const std::vector<std::string>& captureEncodingNames();  // "rgbm", "rgb9e5", "fp16"
+const std::vector<std::string>& skyFormNames();          // "4", "9", "tinted"
+const std::vector<std::string>& coatFormNames();         // "none", "ue4", "refit"
+const std::vector<std::string>& sheenFormNames();        // "none", "fit"
+const std::vector<std::string>& anisotropyFormNames();   // "none", "bent"
+const std::vector<std::string>& iridescenceFormNames();  // "none", "tint"
+const std::vector<std::string>& transmissionFormNames(); // "none", "alpha", "refracted", "mixed"
 const std::vector<std::string>& diffuseTransmissionFormNames(); // "none", "lambert"
 const std::vector<std::string>& lightmapFormNames();            // "lq", "hq"
 

@@ -6,10 +6,11 @@
 
 #include "mobile/approximate_brdf.h"
 #include "mobile/environment_upload.h"
-#include "mobile/formulas.h"
 #include "mobile/knobs.h"
 #include "mobile/light_choice.h"
+#include "mobile/programs.h"
 #include "mobile/renderer.h"
+#include "mobile/sampled_brdf.h"
 
 namespace parity::mobile {
 
@@ -114,6 +115,7 @@ public:
     return table;
   }
   std::string presetKnob() const override { return "mobile-preset"; }
+  const paths::PresetHost* presetHost() const override { return &mobile::presetHost(); }
   void requireSense(const paths::Options& options, const std::string& display) const override {
     mobile::requireSense(options.of<Options>(), display);
   }
@@ -130,7 +132,8 @@ public:
   const std::vector<paths::Intermediate>& intermediates() const override { return views(); }
   std::unique_ptr<paths::EnvBrdf> environmentBrdf(const paths::Options& options) const override {
     const Options& own = options.of<Options>();
-    if (formulaOf(own.environmentBrdf)) return nullptr; // only its shader knows it
+    if (own.environmentBrdf == EnvironmentBrdf::own)
+      return std::make_unique<SampledBrdf>(gpu::Device(gpu::DeviceOptions()), own);
     return std::make_unique<ApproximateBrdf>(own);
   }
   std::vector<std::string> environmentBrdfKnobs() const override {
@@ -180,8 +183,10 @@ public:
         (own.coat == CoatForm::ue4 && (shown & gpu::kFeatureCoat) != 0) || (shown & gpu::kFeatureIridescence) != 0;
     const bool isKaris =
         own.environmentBrdf == EnvironmentBrdf::karis2014 || own.environmentBrdf == EnvironmentBrdf::ue4;
-    if (!fullyRough && (m.isNonmetal() || own.nonmetal) && isKaris && !changesF0)
-      notes.emplace_back("nonmetal: mobile uses EnvBRDFApproxNonmetal");
+    const bool isOwn = own.environmentBrdf == EnvironmentBrdf::own && own.own->defines("presetEnvironmentBrdfNonmetal");
+    if (!fullyRough && (m.isNonmetal() || own.nonmetal) && (isKaris || isOwn) && !changesF0)
+      notes.emplace_back(isOwn ? "nonmetal: mobile uses presetEnvironmentBrdfNonmetal"
+                               : "nonmetal: mobile uses EnvBRDFApproxNonmetal");
     return notes;
   }
   std::uint32_t droppedLobes(const scenes::Material& m, const paths::Options& options) const override {
@@ -245,10 +250,12 @@ public:
     return all;
   }
 
-  // Every preset in both precisions; refit also where its capture costs no bits.
+  // Every preset in both precisions, folders that are in use too; refit also where its capture costs no bits.
   std::vector<KnobSet> knobSets() const override {
     std::vector<KnobSet> sets;
-    for (const std::string& preset : presetNames())
+    std::vector<std::string> presets = presetNames();
+    for (const auto& folder : paths::readPresetFolders(name())) presets.push_back(folder->text());
+    for (const std::string& preset : presets)
       for (const std::string& precision : precisionNames())
         sets.push_back(
             {fmt::format("{} {}", preset, precision), "", {{"mobile-preset", preset}, {"precision", precision}}});

@@ -8,14 +8,8 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "mobile/formulas.h"
 #include "mobile/light_choice.h"
-#include "mobile_shaders/mobile_fp16.comp.h"
-#include "mobile_shaders/mobile_fp32.comp.h"
-#include "mobile_shaders/mobile_lobes_fp16.comp.h"
-#include "mobile_shaders/mobile_lobes_fp32.comp.h"
-#include "mobile_shaders/mobile_wide_fp16.comp.h"
-#include "mobile_shaders/mobile_wide_fp32.comp.h"
+#include "mobile/programs.h"
 #include "scenes/brightest_light.h"
 #include "shading/shading.h"
 
@@ -63,10 +57,8 @@ constexpr std::uint32_t kShadowOfSpot = 1, kShadowOfSun = 2;
 std::vector<std::uint32_t> constantsOf(const Options& options, std::uint32_t view, std::uint32_t shadowMaps,
                                        std::uint32_t baked, std::uint32_t falloffs) {
   const CaptureScale scale = captureScaleOf(options, (baked & gpu::kBakedCaptures) != 0);
-  const bool own = formulaOf(options.environmentBrdf) != nullptr;
-  return {own ? static_cast<std::uint32_t>(numbers::kEnvironmentBrdfOwn)
-              : static_cast<std::uint32_t>(options.environmentBrdf),
-          static_cast<std::uint32_t>(options.directLobe),
+  return {numberOf(options.environmentBrdf),
+          numberOf(options.directLobe),
           static_cast<std::uint32_t>(scale) - 1,
           static_cast<std::uint32_t>(options.sky),
           options.capture == CaptureEncoding::rgbm ? 1u : 0u,
@@ -108,10 +100,11 @@ std::array<glm::vec4, gpu::kPathNumbers> numbersOf(const gpu::EnvironmentMaps& e
   shading::f32::IrradianceSh sh;
   for (std::size_t i = 0; i < environment.sh.size(); ++i)
     sh.c[i] = {environment.sh[i].x, environment.sh[i].y, environment.sh[i].z};
-  const shading::f32::SkySh sky = shading::f32::packSkySh(sh, options.sky == SkyForm::sh9 ? 9 : 4);
+  const bool ownSky = options.own && options.own->defines("presetSkyDiffuse");
+  const bool isTinted = options.sky == SkyForm::tinted && !ownSky;
+  const shading::f32::SkySh sky = shading::f32::packSkySh(sh, options.sky == SkyForm::sh4 ? 4 : 9);
   for (int i = 0; i < 9; ++i) result[gpu::kPathSkySh + i] = glm::vec4(sky.c[i].x, sky.c[i].y, sky.c[i].z, 0);
-  if (options.sky == SkyForm::tinted)
-    std::copy(environment.tintedSky.begin(), environment.tintedSky.end(), result.begin() + gpu::kPathSkySh);
+  if (isTinted) std::copy(environment.tintedSky.begin(), environment.tintedSky.end(), result.begin() + gpu::kPathSkySh);
   const shading::f32::real32x3 mean = shading::f32::skyMeanRadiance(sh);
   result[gpu::kPathAverageBrightness].x =
       shading::f32::luminanceUE4({mean.x * skyLightColor.x, mean.y * skyLightColor.y, mean.z * skyLightColor.z});
@@ -139,11 +132,10 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   gpu::PathProgram program;
   program.name = "mobile";
   const Precision precision = precisionOn(device.report(), options);
-  static const Formula builtIn{kMobileFp16Comp, kMobileFp32Comp, kMobileLobesFp16Comp, kMobileLobesFp32Comp};
-  const Formula* const own = formulaOf(options.environmentBrdf);
-  const Formula& formula = own ? *own : builtIn;
-  program.spirv = precision == Precision::fp16 ? formula.fp16 : formula.fp32;
-  program.spirvOfLobes = precision == Precision::fp16 ? formula.lobesFp16 : formula.lobesFp32;
+  program.spirv = programOf(options, {.precision = precision, .lobes = false, .wide = inputs.wide});
+  program.spirvOfLobes = !scene.hasLobes()
+                             ? program.spirv // not asked for
+                             : programOf(options, {.precision = precision, .lobes = true, .wide = inputs.wide});
   if (precision != options.precision)
     m_notes.push_back(fmt::format("fp32 replaces fp16: {} has no shaderFloat16", device.report().name));
 
@@ -241,9 +233,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                                             (options.spotShadow && options.localLights ? kShadowOfSpot : 0) |
                                                 (options.sunShadow ? kShadowOfSun : 0),
                                             baked, gpu::kFalloffsAll);
-  if (inputs.wide && !own) {
-    program.spirv = program.spirvOfLobes =
-        precision == Precision::fp16 ? gpu::Spirv(kMobileWideFp16Comp) : gpu::Spirv(kMobileWideFp32Comp);
+  if (inputs.wide) {
     assert(program.constants.size() == kKnobWords);
     program.pathData.insert(program.pathData.begin(), program.constants.begin(), program.constants.end());
     program.constants.clear();

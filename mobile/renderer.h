@@ -23,8 +23,7 @@ struct Inputs {
   // sun. Its captures are those of `environment`: each object has its own.
   const gpu::BakedMaps* baked = nullptr;
   bool terms = false;
-  // The program asks for the knobs at run time: slower, but any number of sets of them takes one compilation. Presets
-  // with formulas of their own (mobile/formulas.h) have no such program and are shaded by theirs.
+  // The program asks for the knobs at run time: slower, but any number of sets of them takes one compilation.
   bool wide = false;
   std::uint32_t view = kViewLit; // what the colour shows (mobile/views.h)
   gpu::Compilation compilation = {};

@@ -24,6 +24,8 @@
 
 namespace parity::paths {
 
+struct PresetHost;
+
 // A step of the path's shader that a picture can show in place of the lit colour.
 struct Intermediate {
   std::string_view name, meaning;
@@ -126,6 +128,9 @@ public:
   virtual const base::KnobTable<Options>& knobs() const = 0;
   // The id of the knob whose choices are the path's presets; empty: it has none.
   virtual std::string presetKnob() const { return {}; }
+  // What it offers to preset folders; null: it takes none. And the id of the knob that takes their names.
+  virtual const PresetHost* presetHost() const { return nullptr; }
+  virtual std::string folderKnob() const { return presetKnob(); }
   // Throws Error (usage) for options that do not go together. display: base::DisplayTransform's name.
   virtual void requireSense(const Options&, const std::string& /*display*/) const {}
   // Sets what the device makes of the options. Returns why, after a value: "as the device has no shaderFloat16"; empty:

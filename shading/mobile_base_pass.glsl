@@ -14,13 +14,16 @@
 #include "shading/material.glsl"
 #include "shading/mobile_direct.glsl"
 #include "shading/refit.glsl"
+#ifdef PARITY_PRESET
+#include "shading/sky_sh.glsl"
+#endif
 
 // Which environment BRDF.
 CONSTANT int kEnvironmentBrdfKaris2014 = 0; // EnvBRDFApprox
 CONSTANT int kEnvironmentBrdfUE4 = 1;       // AB.y *= saturate(50 g)
 CONSTANT int kEnvironmentBrdfRefit = 2;     // shading/refit.glsl: with what scatters more than once, and what diffuse light has left
 CONSTANT int kEnvironmentBrdfRefitNonmetal = 3; // the same where all materials are nonmetals
-CONSTANT int kEnvironmentBrdfOwn = 4; // ownEnvironmentBrdfAB, of a shader that brings one: with PARITY_OWN_ENVIRONMENT_BRDF
+CONSTANT int kEnvironmentBrdfOwn = 4; // presetEnvironmentBrdf, of a preset folder
 
 // Which lobe direct light has.
 CONSTANT int kSunDApprox = 0;      // around the reflection vector (Karis 2014)
@@ -28,6 +31,8 @@ CONSTANT int kSunCalcSpecular = 1; // GGX_Mobile around the half vector (UE4 202
 CONSTANT int kSunRefit = 2;        // shading/refit.glsl; goes with kEnvironmentBrdfRefit
 CONSTANT int kSunPhongApprox = 3;  // D_Approx as the engine ships it
 CONSTANT int kSunRefitNonmetal = 4; // kSunRefit with kEnvironmentBrdfRefitNonmetal
+CONSTANT int kSunOwn = 5;           // presetDirectLobe, of a preset folder
+CONSTANT int kSunOwnLocal = 6;      // presetLocalLobe
 
 // The material's outputs that the base pass reads (GBuffer), after texturing.
 struct MobileMaterial {
@@ -62,6 +67,10 @@ struct MobileDirectLighting {
   real3 Specular;
 };
 
+#ifdef PARITY_PRESET
+#include "shading/mobile_preset.glsl"
+#endif
+
 // InitShadingModelContext. nonmetal: EnvBRDFApproxNonmetal takes the place of the general form; fullyRough: FullyRough, and
 // the environment is not to be fetched. NoV in [0, 1]. Of refit, SpecularColor is the albedo of light scattered once.
 FN MobileShadingModelContext initShadingModelContext(int environmentBrdf, bool nonmetal, bool fullyRough, MobileMaterial m,
@@ -90,10 +99,16 @@ FN MobileShadingModelContext initShadingModelContext(int environmentBrdf, bool n
     }
     c.SpecularColor = c.lobe.single;
     c.DiffuseColor = refitDiffuseColor(m.BaseColor, m.Metallic, share);
-#ifdef PARITY_OWN_ENVIRONMENT_BRDF
+#ifdef PARITY_OWN_presetEnvironmentBrdfNonmetal
+  } else if (environmentBrdf == kEnvironmentBrdfOwn && nonmetal) {
+    real E = presetEnvironmentBrdfNonmetal(c.Roughness, NoV);
+    c.SpecularColor = real3(E, E, E);
+#endif
+#ifdef PARITY_OWN_presetEnvironmentBrdf
   } else if (environmentBrdf == kEnvironmentBrdfOwn) {
-    real2 AB = ownEnvironmentBrdfAB(c.SpecPreEnvBrdf, c.Roughness, NoV);
-    c.SpecularColor = real3(c.SpecPreEnvBrdf.x * AB.x + AB.y, c.SpecPreEnvBrdf.y * AB.x + AB.y, c.SpecPreEnvBrdf.z * AB.x + AB.y);
+    real2 AB = presetEnvironmentBrdf(c.SpecPreEnvBrdf, c.Roughness, NoV);
+    PRECISE real3 E = real3(c.SpecPreEnvBrdf.x * AB.x + AB.y, c.SpecPreEnvBrdf.y * AB.x + AB.y, c.SpecPreEnvBrdf.z * AB.x + AB.y);
+    c.SpecularColor = E;
 #endif
   } else if (nonmetal) {
     real E = EnvBRDFApproxNonmetal(c.Roughness, NoV);
@@ -116,8 +131,8 @@ FN real2 environmentBrdfAB(int environmentBrdf, bool fullyRough, real3 SpecPreEn
     PRECISE real a = R(1.0) - refitLoss(refitAlpha(Roughness), NoV) - b;
     return real2(a, b);
   }
-#ifdef PARITY_OWN_ENVIRONMENT_BRDF
-  if (environmentBrdf == kEnvironmentBrdfOwn) return ownEnvironmentBrdfAB(SpecPreEnvBrdf, Roughness, NoV);
+#ifdef PARITY_OWN_presetEnvironmentBrdf
+  if (environmentBrdf == kEnvironmentBrdfOwn) return presetEnvironmentBrdf(SpecPreEnvBrdf, Roughness, NoV);
 #endif
   real2 AB = EnvBRDFApproxAB(Roughness, NoV);
   if (environmentBrdf == kEnvironmentBrdfKaris2014) return AB;
@@ -178,6 +193,18 @@ FN MobileDirectLighting mobileIntegrateBxDF(int sun, bool fullyRough, MobileShad
     lighting.Specular = real3(grey, grey, grey);
     return lighting;
   }
+#ifdef PARITY_OWN_presetDirectLobe
+  if (sun == kSunOwn) {
+    lighting.Specular = presetDirectLobe(c, f, L, NoL);
+    return lighting;
+  }
+#endif
+#ifdef PARITY_OWN_presetLocalLobe
+  if (sun == kSunOwnLocal) {
+    lighting.Specular = presetLocalLobe(c, f, L, NoL);
+    return lighting;
+  }
+#endif
   real lobe;
   if (sun == kSunDApprox) {
     lobe = D_Approx(c.Roughness, real(dot32(widen(f.reflection), L)));
@@ -231,8 +258,16 @@ FN MobileLocalLight localLightAt(int falloff, real32x3 toLight, real32x3 candela
   real32x3 back = real32x3(-direction.x, -direction.y, -direction.z);
   light.L = safeNormalize(toLight, back);
   real32 d2 = dot32(toLight, toLight);
+#ifdef PARITY_OWN_presetDistanceFalloff
+  real32 attenuation = presetDistanceFalloff(falloff, d2, range, exponent);
+#else
   real32 attenuation = distanceFalloff(falloff, d2, range, exponent);
+#endif
+#ifdef PARITY_OWN_presetSpotCone
+  if (isSpot) attenuation = attenuation * real32(presetSpotCone(real(dot32(light.L, back)), real(cosInner), real(cosOuter)));
+#else
   if (isSpot) attenuation = attenuation * real32(spotAttenuation(real(dot32(light.L, back)), real(cosInner), real(cosOuter)));
+#endif
   PRECISE real32 k = attenuation * R32(0.318309886183790672);
   PRECISE real32x3 color = real32x3(candela.x * k, candela.y * k, candela.z * k);
   light.color = color;

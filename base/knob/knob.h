@@ -47,6 +47,7 @@ struct Knob {
   std::string group{};                // heading of --help
   KnobType type = KnobType::flag;
   std::vector<std::string> choices{};
+  bool takesFolder = false; // choice: also the path of a folder; of a suite file relative to its own
   double least = 0, most = 0;
   std::string form{};               // of KnobType::numbers: names separated by commas
   std::string otherwise{};          // in words: what holds where it is not given; empty: the default's text

@@ -36,6 +36,7 @@ template <typename T> struct KnobRow {
   KnobRow& needs(std::string other) { return knob.needsKnob = std::move(other), *this; }
   KnobRow& needsScene(std::string what) { return knob.needsScene = std::move(what), *this; }
   KnobRow& listedAs(std::string key) { return knob.listKey = std::move(key), *this; }
+  KnobRow& orFolder() { return knob.takesFolder = true, *this; }
   KnobRow& noOption() { return knob.isOption = knob.inSuite = false, *this; }
   KnobRow& noCondition() { return knob.isCondition = false, *this; }
   KnobRow& notInSuite() { return knob.inSuite = false, *this; }

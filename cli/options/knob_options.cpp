@@ -22,7 +22,7 @@ std::string typeOf(const base::Knob& knob) {
   case base::KnobType::whole:
     return fmt::format("NUMBER:{} to {}", knob.least, knob.most);
   case base::KnobType::choice:
-    return fmt::format("{{{}}}", fmt::join(knob.choices, ","));
+    return fmt::format("{{{}}}{}", fmt::join(knob.choices, ","), knob.takesFolder ? " or FOLDER" : "");
   case base::KnobType::texts:
     return knob.form.empty() ? "GLOB" : knob.form;
   case base::KnobType::numbers:

@@ -38,6 +38,9 @@ void addRenderOptions(CLI::App& app, RenderCommand& render, bool& listTerms) {
       ->check(fileOfKind({".exr", ".pfm", ".hdr", ".png"}))
       ->type_name(kFile)
       ->group(kOutputGroup);
+  app.add_flag("--watch", render.watches,
+               "Write the picture again whenever the preset folder changes, until a signal ends the program")
+      ->group("Rendered");
   app.add_flag("--terms", render.common.settings.terms, "Also write the terms of light, as layers of the .exr file")
       ->group("Rendered");
   app.add_option("--term", render.term,

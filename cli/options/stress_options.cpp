@@ -39,6 +39,10 @@ void addStressOptions(CLI::App& app, RawStressOptions& raw) {
       ->type_name("GLOB")
       ->capture_default_str()
       ->group("Renders");
+  repeat(app.add_option("--mobile-preset", raw.stress.presets,
+                        "Render only these presets of the mobile path, folders too (repeatable). Default: all"))
+      ->type_name("PRESET")
+      ->group("Renders");
   app.add_option("--scenes", options.scenes, "Number of random scenes")
       ->check(wholeWithin(0, 1'000'000))
       ->capture_default_str()

@@ -58,10 +58,17 @@ struct Shader {
 #endif
 };
 
+#ifdef PARITY_PRESET
+#include "highend/shaders/preset.glsl"
+#endif
+
 bool hasOwnLobe() { return kCompensation == kCompensationFdezAguera || kCompensation == kCompensationKullaConty; }
 
 // A, B and the average of A + B at this roughness.
 vec3 environmentBrdf(float cosine, float roughness) {
+#ifdef PARITY_OWN_presetEnvironmentBrdf
+  return presetEnvironmentBrdf(cosine, roughness);
+#endif
   vec2 size = vec2(textureSize(pathTexture, 0));
   return textureLod(pathTexture, (vec2(cosine, roughness) * (size - 1.0) + 0.5) / size, 0.0).xyz;
 }
@@ -165,13 +172,21 @@ Lobes lit(Shader s, vec3 L, vec3 illuminance) {
   vec3 H = safeNormalize(s.V + L, s.N); // V = -L: the normal
   float NoH = saturate(dot(s.N, H)), VoH = saturate(dot(s.V, H));
   vec3 E = illuminance * NoL;
+#ifdef PARITY_OWN_presetDiffuseLobe
+  lobes.diffuse = E * presetDiffuseLobe(s, NoL, VoH) * Fd_Lambert();
+#else
   lobes.diffuse = E * s.diffuseColor * Fd_Lambert();
+#endif
 #ifdef PARITY_LOBES
   if (isAnisotropic(s))
     lobes.specular = illuminance * scatteredAnisotropic(s, alphasOf(s, sqr(kMinLightRoughness)), L);
   else
 #endif
+#ifdef PARITY_OWN_presetDirectLobe
+  lobes.specular = illuminance * presetDirectLobe(s, L, NoL, NoH, VoH);
+#else
   lobes.specular = illuminance * scatteredOnce(s, s.alpha, NoL, NoH, VoH);
+#endif
   if (kCompensation == kCompensationFdezAguera) lobes.specular += E * s.multiple * Fd_Lambert();
   if (kCompensation == kCompensationKullaConty) {
     vec2 AB = environmentBrdf(NoL, s.roughness).xy;
@@ -185,9 +200,17 @@ vec3 localLight(GpuLight light, vec3 position, out vec3 L) {
   vec3 d = light.positionKind.xyz - position;
   float d2 = dot(d, d);
   L = safeNormalize(d, -light.directionCosOuter.xyz); // at the light itself: as if from its axis
+#ifdef PARITY_OWN_presetDistanceFalloff
+  float attenuation = presetDistanceFalloff(falloffOf(light), d2, light.colorRange.w, light.falloff.y);
+#else
   float attenuation = distanceFalloff(falloffOf(light), d2, light.colorRange.w, light.falloff.y);
+#endif
   bool isSpot = kLocalKinds == kLocalSpot || (kLocalKinds == kLocalAll && uint(light.positionKind.w) == kLightSpot);
+#ifdef PARITY_OWN_presetSpotCone
+  if (isSpot) attenuation *= presetSpotCone(dot(-L, light.directionCosOuter.xyz), light.cone.x, light.directionCosOuter.w);
+#else
   if (isSpot) attenuation *= spotAttenuation(dot(-L, light.directionCosOuter.xyz), light.cone.x, light.directionCosOuter.w);
+#endif
   return light.colorRange.xyz * attenuation;
 }
 

@@ -84,7 +84,11 @@ void addDirectionalLight(inout BasePass pass, Shaded s, Point p, uint i) {
 // capture, whose texels have it.
 void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
   real3 direction = s.frame.reflection;
+#ifdef PARITY_OWN_presetCaptureMip
+  real mip = presetCaptureMip(s.context.Roughness);
+#else
   real mip = mipFromRoughness(s.context.Roughness);
+#endif
   if (kIsRefit) {
     direction = refitDirection(s.frame.N, s.frame.V, s.NoV, s.tap.lean);
     mip = s.tap.mip;
@@ -136,9 +140,14 @@ real3 addLocalLight(inout BasePass pass, Shaded s, Point p, GpuLight light) {
                    light.directionCosOuter.w);
   if ((kShadowMaps & kShadowOfSpot) != 0u) seen.color *= float(spotShadow(light, p));
   real SpecularScale = real(light.cone.y);
-  MobileDirectLighting Lighting = mobileIntegrateBxDF(s.sun, s.fullyRough, s.context, s.frame, seen.L);
+#ifdef PARITY_OWN_presetLocalLobe
+  int lobe = s.sun == kSunOwn ? kSunOwnLocal : s.sun;
+#else
+  int lobe = s.sun;
+#endif
+  MobileDirectLighting Lighting = mobileIntegrateBxDF(lobe, s.fullyRough, s.context, s.frame, seen.L);
 #ifdef PARITY_LOBES
-  squeezeLight(Lighting, s.microfacets, s.sun, s.context, s.frame, seen.L);
+  squeezeLight(Lighting, s.microfacets, lobe, s.context, s.frame, seen.L);
   addLayersLight(pass, s.layers, s.frame, s.NoV, seen.color, seen.L, SpecularScale, Lighting);
   addThroughLight(pass, s.through, s.frame, seen.color, seen.L);
 #endif

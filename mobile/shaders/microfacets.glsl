@@ -57,6 +57,18 @@ void squeezeLight(inout MobileDirectLighting lighting, Microfacets m, int sun, M
     lighting.Specular = squeezedRefitLight(c.lobe, NoL, cosines, sin2);
     return;
   }
+#ifdef PARITY_OWN_presetDirectLobe
+  if (sun == kSunOwn) {
+    lighting.Specular = presetDirectLobe(c, m.bent, L, NoL);
+    return;
+  }
+#endif
+#ifdef PARITY_OWN_presetLocalLobe
+  if (sun == kSunOwnLocal) {
+    lighting.Specular = presetLocalLobe(c, m.bent, L, NoL);
+    return;
+  }
+#endif
   real lobe = R(0.0);
   float RoL = dot(widen(m.bent.reflection), L);
   if (sun == kSunDApprox) lobe = D_Approx(c.Roughness, real(RoL));

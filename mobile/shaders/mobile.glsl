@@ -117,6 +117,9 @@ void writePass(uint i, BasePass pass, float opacity) {
     for (int k = 0; k < kTermCount; ++k) pass.terms.t[k] *= float(VertexFogA);
     addTerm(pass, kTermFog, VertexFog);
   }
+#ifdef PARITY_OWN_presetEncode
+  Color = presetEncode(Color);
+#endif
   show(kViewVertexFog, VertexFog);
   show(kViewVertexFogA, VertexFogA);
   if ((kMayFeatures & kFeatureBlend) != 0u) { // opacity is 1 else
@@ -166,6 +169,9 @@ SkySh skySh() {
 }
 
 real3 skyDiffuse(real3 N) {
+#ifdef PARITY_OWN_presetSkyDiffuse
+  return presetSkyDiffuse(skySh(), N);
+#endif
   if (kSkyForm == kSkyFormTinted) return tintedSkyDiffuse(tintedSky(), N);
   if (kSkyForm == kSkyFormSh9) return GetSkySHDiffuse(skySh(), N);
   return GetSkySHDiffuseSimple(skySh(), N);
@@ -326,7 +332,11 @@ void showShaded(Shaded s, Resolved r) {
   show(kViewReflectionVector, s.frame.reflection);
 }
 
+#ifdef PARITY_PROBE
+void shadePoint() {
+#else
 void main() {
+#endif
   uint local = entryIndex();
   if (local >= count) return;
   uint i = first + local;

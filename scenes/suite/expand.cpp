@@ -22,7 +22,8 @@ base::Error errorAt(const std::string& where, const std::string& reason) {
 }
 
 std::string wordOf(const base::Knob& knob, const base::GivenKnob& given) {
-  return knob.type == base::KnobType::file ? stemOf(given.value.at(0))
+  const bool isFolder = knob.takesFolder && given.value.at(0).find('/') != std::string::npos;
+  return knob.type == base::KnobType::file || isFolder ? stemOf(given.value.at(0))
                                            : fmt::format("{}", fmt::join(given.value, ", "));
 }
 

@@ -258,7 +258,8 @@ private:
 
   base::GivenKnob checked(const TableReader& reader, const std::string& key, const base::Knob& knob,
                           base::KnobValue value, const Check& check) const {
-    if (knob.type == base::KnobType::file) value = {resolve(value.at(0))};
+    const bool isFolder = knob.takesFolder && value.at(0).find('/') != std::string::npos;
+    if (knob.type == base::KnobType::file || isFolder) value = {resolve(value.at(0))};
     try {
       check(knob, value);
     } catch (const base::KnobError& error) {

@@ -1,0 +1,67 @@
+#include "highend/programs.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "highend/knobs.h"
+#include "highend_shaders/highend.comp.h"
+#include "highend_shaders/highend_lobes.comp.h"
+#include "highend_texts/texts.h"
+
+namespace parity::highend {
+
+namespace {
+
+const paths::ProgramMacros kPlain, kLobes = {"PARITY_LOBES"};
+
+gpu::Spirv builtIn(const paths::ProgramMacros& macros) {
+  return macros.empty() ? gpu::Spirv(kHighendComp) : gpu::Spirv(kHighendLobesComp);
+}
+
+// Of the embedded texts those of preset folders.
+std::vector<gpu::ShaderText> templatesOf() {
+  std::vector<gpu::ShaderText> templates;
+  for (const gpu::ShaderText& text : kHighendShaderTexts)
+    if (text.path.starts_with("highend/presets/")) templates.push_back(text);
+  return templates;
+}
+
+paths::PresetHost makeHost() {
+  paths::PresetHost host{.path = "highend",
+                         .bases = {},
+                         .knobs = {},
+                         .functions = {},
+                         .texts = {std::begin(kHighendShaderTexts), std::end(kHighendShaderTexts)},
+                         .templates = templatesOf(),
+                         .root = "highend/shaders/highend.glsl",
+                         .checked = {kPlain},
+                         .counted = {0, ~0u, 0, 1, 1, 1},
+                         .builtIn = builtIn};
+  host.functions = paths::presetFunctionsOf(
+      std::ranges::find(host.texts, "highend/shaders/preset.glsl", &gpu::ShaderText::path)->text);
+  for (const auto& row : knobs().rows())
+    if (row.knob.isOption && row.knob.id != "highend-preset") host.knobs.push_back(row.knob);
+  return host;
+}
+
+} // namespace
+
+gpu::Spirv programOf(const Options& options, bool lobes) {
+  const paths::ProgramMacros& macros = lobes ? kLobes : kPlain;
+  return options.own && !options.own->functions().empty() ? options.own->program(macros) : builtIn(macros);
+}
+
+const paths::PresetHost& presetHost() {
+  static const paths::PresetHost host = makeHost();
+  return host;
+}
+
+Options optionsOfFolder(const std::string& text) {
+  Options options;
+  options.own = paths::readPresetFolder(text, presetHost());
+  options.preset = options.own->text();
+  knobs().apply(options, options.own->knobs());
+  return options;
+}
+
+} // namespace parity::highend
