@@ -288,6 +288,13 @@ const scenes::SuiteKnobs& suiteKnobs() {
   return all;
 }
 
+base::GivenKnobs withPinnedFolders(base::GivenKnobs given, const Settings& settings) {
+  for (const base::KnobRow<Settings>& row : knobs().rows())
+    if (const auto found = given.find(row.knob.id); row.knob.takesFolder && found != given.end())
+      found->second.value = {row.text(settings)};
+  return given;
+}
+
 bool isActive(const base::Knob& knob, const Settings& settings) {
   return knob.needsKnob.empty() || isOn(knobs().find(knob.needsKnob)->text(settings));
 }

@@ -28,6 +28,9 @@ Settings defaultsOf(const base::GivenKnobs& ofSuite, const Settings& settings, c
 std::vector<SceneRequest> requestsOf(const scenes::Suite& suite, const Settings& settings,
                                      const base::GivenKnobs& commandLine);
 
+// What is given, folders by their content, too, as the settings have it: who reads it later refuses another content.
+base::GivenKnobs withPinnedFolders(base::GivenKnobs given, const Settings& settings);
+
 // Whether the knob does anything with these settings: not where the one that it needs is off.
 bool isActive(const base::Knob& knob, const Settings& settings);
 

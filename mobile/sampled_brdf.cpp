@@ -9,7 +9,7 @@ namespace parity::mobile {
 
 namespace {
 
-constexpr int kNodes = 193;
+constexpr int kNodes = 385;
 constexpr std::array<float, 2> kF0 = {0.04f, 1.f};
 
 std::vector<glm::dvec3> sample(const gpu::Device& device, const Options& options, std::uint32_t function, float F0) {

@@ -10,7 +10,7 @@
 
 namespace parity::mobile {
 
-// Linear between 193 x 193 nodes of roughness and N.V, and between F0 = .04 and 1. In the precision of the options.
+// Linear between 385 x 385 nodes of roughness and N.V, and between F0 = .04 and 1. In the precision of the options.
 class SampledBrdf final : public paths::EnvBrdf {
 public:
   SampledBrdf(const gpu::Device& device, const Options& options);

@@ -53,6 +53,7 @@ StudyPresetCommand settleStudyPreset(const CLI::App& app, const RawPresetOptions
   settle(app, command.common, raw.common);
   requireSizeFits(command.common, kComparedPixelBytes);
   command.request.size = command.common.settings.width;
+  command.common.settings.costs = true;
   command.request.environments = command.common.environments;
   if (command.request.environments.empty())
     for (const char* name : {"builtin:studio", "builtin:sky", "builtin:night"})

@@ -42,8 +42,19 @@ Settings Plan::settings() const { return defaultsOf({}, plain, given); }
 
 Plan makePlan(Context& context, ReportRequest request, const Settings& plain, const base::GivenKnobs& given,
               std::size_t shards) {
-  Plan plan{
-      base::kVersion, hashOfThisBuild(), context.numerics(), factsOf(context), plain, given, {}, {}, {}, {}, {}, {}};
+  for (SceneRequest& scene : request.scenes) scene.given = withPinnedFolders(scene.given, scene.settings);
+  Plan plan{base::kVersion,
+            hashOfThisBuild(),
+            context.numerics(),
+            factsOf(context),
+            plain,
+            withPinnedFolders(given, defaultsOf({}, plain, given)),
+            {},
+            {},
+            {},
+            {},
+            {},
+            {}};
   plan.budgets = freezeBudgets(request, context.settings());
   if (!request.baseline.empty()) {
     request.baseline = report::reportFileOf(request.baseline); // as it is named now: at the merge it may be gone

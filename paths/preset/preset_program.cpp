@@ -125,6 +125,8 @@ std::vector<std::uint32_t> compileProgram(const PresetHost& host, const PresetFo
                   folder->m_folder + "/" + file.name, fmt::format("line {}", defined.line),
                   fmt::format("{} has other parameters; expected: {}", function.name, function.prototype));
       }
+    if (folder && error.subject() == folder->m_folder) // behind the last line of the folder's text
+      throw base::fileError(folder->m_folder + "/preset.glsl", "at the end", error.reason());
     throw;
   }
 }

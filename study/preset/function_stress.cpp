@@ -170,7 +170,8 @@ std::vector<FunctionStress> stressFunctions(const gpu::Device& device, const mob
   return all;
 }
 
-std::vector<LobeError> lobeErrors(const gpu::Device& device, const mobile::Options& given) {
+std::vector<LobeError> lobeErrors(const gpu::Device& device, const mobile::Options& given,
+                                  const paths::EnvBrdf& table) {
   namespace f64 = shading::f64;
   mobile::Options options = given;
   options.precision = mobile::Precision::fp32;
@@ -180,6 +181,12 @@ std::vector<LobeError> lobeErrors(const gpu::Device& device, const mobile::Optio
   for (const float roughness : kSteps) {
     double error2 = 0, truth2 = 0;
     LobeError error{.roughness = roughness};
+    const auto albedo = [&](double cosine) {
+      const paths::EnvBrdf::AB AB = table.at(roughness, cosine);
+      return AB.A + AB.B;
+    };
+    double average = 0;
+    for (int i = 0; i < kCosines; ++i) average += 2 * (i + 0.5) / kCosines * albedo((i + 0.5) / kCosines) / kCosines;
     for (const float NoV : kSteps) {
       std::vector<ProbeCall> calls;
       for (int i = 0; i < kCosines; ++i)
@@ -197,8 +204,10 @@ std::vector<LobeError> lobeErrors(const gpu::Device& device, const mobile::Optio
         const glm::dvec3 V(sinV, 0, NoV), L(sinL * std::cos(calls[i].y), sinL * std::sin(calls[i].y), NoL);
         const glm::dvec3 H = glm::normalize(V + L);
         const double alpha = double(roughness) * roughness;
-        const double truth = std::numbers::pi * NoL * f64::D_GGX(alpha, std::clamp(H.z, 0.0, 1.0)) *
-                             f64::V_SmithGGXCorrelated(alpha, NoV, NoL);
+        const double once = std::numbers::pi * f64::D_GGX(alpha, std::clamp(H.z, 0.0, 1.0)) *
+                            f64::V_SmithGGXCorrelated(alpha, NoV, NoL);
+        const double more = (1 - albedo(NoV)) * (1 - albedo(NoL)) / std::max(1 - average, 1e-9);
+        const double truth = NoL * (once + more);
         const double value = results[i].x;
         sum += value, truthSum += truth;
         error2 += (value - truth) * (value - truth), truth2 += truth * truth;

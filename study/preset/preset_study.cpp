@@ -44,7 +44,7 @@ void addFunctions(PresetStudy& study, const gpu::Device& device, const job::Sett
     }
     if (plots && !half) study.plot = plot::drawEnvBrdf(pair, {}, "");
   }
-  study.lobe = lobeErrors(device, settings.options.of<mobile::Options>());
+  study.lobe = lobeErrors(device, settings.options.of<mobile::Options>(), parity::highend::TableBrdf(highend));
 }
 
 void addScene(PresetStudy& study, job::Context& context, const job::Settings& settings, const StudyRequest& request,

@@ -29,8 +29,9 @@ struct EnvBrdfError {
   double max = 0, rms = 0;
 };
 
-// The lobe of one light at F0 = 1 against GGX with the height-correlated Smith term, all in fp32: over N.V of .1, .25,
-// .5, .75 and 1 and light directions on the hemisphere.
+// The lobe of one light at F0 = 1 against the high-end path's: GGX with the height-correlated Smith term, and what
+// scatters more than once (Kulla and Conty 2017). In fp32, over N.V of .1, .25, .5, .75 and 1 and light directions on
+// the hemisphere.
 struct LobeError {
   double roughness = 0;
   double energy = 0; // light that it reflects, over the truth's: the mean over N.V

@@ -71,10 +71,10 @@ std::string errorTables(const std::vector<const PresetStudy*>& studies) {
           "light over the truth's, whose best is 1. Rms: of the difference, over the truth's own.</p>\n<table>" +
           row(headOf(studies, "energy, root mean square"), "th");
   for (std::size_t i = 0; i < studies.front()->lobe.size(); ++i) {
-    std::vector<std::string> cells = {fmt::format("roughness {}, energy", studies.front()->lobe[i].roughness)};
+    std::vector<std::string> cells = {fmt::format("roughness {:.3g}, energy", studies.front()->lobe[i].roughness)};
     for (const PresetStudy* study : studies) cells.push_back(fmt::format("{:.2f}", study->lobe.at(i).energy));
     page += row(cells);
-    page += numbers(fmt::format("roughness {}, rms", studies.front()->lobe[i].roughness),
+    page += numbers(fmt::format("roughness {:.3g}, rms", studies.front()->lobe[i].roughness),
                     valuesOf(studies, [&](const PresetStudy& s) { return s.lobe.at(i).rms; }), 3);
   }
   return page + "</table>\n";

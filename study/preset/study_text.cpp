@@ -22,9 +22,9 @@ std::string textOf(const PresetStudy& study) {
   for (const EnvBrdfError& error : study.envBrdf)
     text += fmt::format("    F0 = {:<4} {}                               {:.4f}  {:.4f}\n", error.F0,
                         precisionOf(error.half), error.max, error.rms);
-  text += "  direct lobe against GGX, F0 = 1                energy    rms\n";
+  text += "  direct lobe against GGX, F0 = 1             energy    rms\n";
   for (const LobeError& error : study.lobe)
-    text += fmt::format("    roughness {:<4}                              {:6.2f}  {:.3f}\n", error.roughness,
+    text += fmt::format("    roughness {:<4.3g}                              {:6.2f}  {:.3f}\n", error.roughness,
                         error.energy, error.rms);
   const std::uint64_t findings = findingsOf(study);
   text += findings == 0 ? "  stress: no NaN and no infinity\n" : "  stress: NaN or infinity\n";

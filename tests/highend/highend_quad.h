@@ -10,7 +10,7 @@
 namespace parity::highend {
 
 // Lambert, single scattering, N = V = R: without an environment no table is read.
-inline constexpr Options kPlain{
+inline const Options kPlain{
     .model = {.diffuse = DiffuseLobe::lambert}, .compensation = Compensation::none, .offSpecular = OffSpecular::none};
 
 // A table with the same A, B and average everywhere.
