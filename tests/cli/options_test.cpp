@@ -76,6 +76,7 @@ const std::vector<Probe> kProbes = {
     {{"--fresnel", "spherical-gaussian"}, "spheres", "highend"},
     {{"--diffuse", "lambert"}, "spheres", "highend"},
     {{"--compensation", "none"}, "spheres", "highend"},
+    {{"--highend-preset", PARITY_SOURCE_DIR "/highend/presets/khronos-sample"}, "spheres", "highend", kSun},
     {{"--off-specular", "none"}, "spheres", "highend"},
     {{"--lut-size", "8"}, "spheres", "highend"},
     {{"--prefilter-samples", "8"}, "spheres", "highend"},

@@ -84,6 +84,7 @@ const std::vector<Change> kChanges = {
     {"shadow map size", CHANGE(s.shadowMaps.mapSize = 512)},
     {"shadow filter", CHANGE(s.shadowMaps.filter = 5)},
     {"memory of shadow maps", CHANGE(s.shadowMaps.maxBytes -= 1)},
+    {"highend preset", CHANGE(s.of<highend::Options>().preset = "./mine@0123456789ab")},
     {"highend geometry term",
      CHANGE(s.of<highend::Options>().model.geometryTerm = highend::GeometryTerm::schlickSmith)},
     {"highend fresnel", CHANGE(s.of<highend::Options>().model.fresnel = highend::FresnelCurve::sphericalGaussian)},
