@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include "base/error.h"
 
@@ -12,25 +13,10 @@ namespace {
 using Usage = vk::BufferUsageFlagBits;
 using Memory = vk::MemoryPropertyFlagBits;
 
-struct Staging {
-  vk::raii::Buffer buffer{nullptr};
-  vk::raii::DeviceMemory memory{nullptr};
-  std::byte* mapped = nullptr;
-};
-
-Staging makeStaging(const Device& device, vk::DeviceSize size) {
-  Staging staging;
-  staging.buffer =
-      vk::raii::Buffer(device.handle(), vk::BufferCreateInfo({}, size, Usage::eTransferSrc | Usage::eTransferDst));
-  const vk::MemoryRequirements needs = staging.buffer.getMemoryRequirements();
-  staging.memory = vk::raii::DeviceMemory(
-      device.handle(),
-      vk::MemoryAllocateInfo(
-          needs.size,
-          device.memoryType(needs.memoryTypeBits, Memory::eHostVisible | Memory::eHostCoherent, Memory::eHostCached)));
-  staging.buffer.bindMemory(*staging.memory, 0);
-  staging.mapped = static_cast<std::byte*>(staging.memory.mapMemory(0, VK_WHOLE_SIZE));
-  return staging;
+// The device's own, or where much is copied one that goes again.
+const HostBuffer& stagingOf(const Device& device, vk::DeviceSize size, std::optional<HostBuffer>& temporary) {
+  constexpr vk::DeviceSize kMostKept = vk::DeviceSize{64} << 20;
+  return size <= kMostKept ? device.staging(size) : temporary.emplace(device, size);
 }
 
 } // namespace
@@ -63,10 +49,11 @@ void Buffer::upload(std::span<const std::byte> bytes, vk::DeviceSize offset) con
     std::memcpy(m_mapped + offset, bytes.data(), bytes.size());
     return;
   }
-  const Staging staging = makeStaging(*m_device, bytes.size());
-  std::memcpy(staging.mapped, bytes.data(), bytes.size());
+  std::optional<HostBuffer> temporary;
+  const HostBuffer& staging = stagingOf(*m_device, bytes.size(), temporary);
+  std::memcpy(staging.data(), bytes.data(), bytes.size());
   m_device->submit("upload", [&](const vk::raii::CommandBuffer& commands) {
-    commands.copyBuffer(*staging.buffer, *m_buffer, vk::BufferCopy(0, offset, bytes.size()));
+    commands.copyBuffer(staging.handle(), *m_buffer, vk::BufferCopy(0, offset, bytes.size()));
   });
 }
 
@@ -77,11 +64,30 @@ void Buffer::download(std::span<std::byte> bytes, vk::DeviceSize offset) const {
     std::memcpy(bytes.data(), m_mapped + offset, bytes.size());
     return;
   }
-  const Staging staging = makeStaging(*m_device, bytes.size());
+  std::optional<HostBuffer> temporary;
+  const HostBuffer& staging = stagingOf(*m_device, bytes.size(), temporary);
   m_device->submit("download", [&](const vk::raii::CommandBuffer& commands) {
-    commands.copyBuffer(*m_buffer, *staging.buffer, vk::BufferCopy(offset, 0, bytes.size()));
+    commands.copyBuffer(*m_buffer, staging.handle(), vk::BufferCopy(offset, 0, bytes.size()));
   });
-  std::memcpy(bytes.data(), staging.mapped, bytes.size());
+  std::memcpy(bytes.data(), staging.data(), bytes.size());
+}
+
+HostBuffer::HostBuffer(const Device& device, vk::DeviceSize size) : m_size(size) {
+  m_buffer =
+      vk::raii::Buffer(device.handle(), vk::BufferCreateInfo({}, size, Usage::eTransferSrc | Usage::eTransferDst));
+  const vk::MemoryRequirements needs = m_buffer.getMemoryRequirements();
+  try {
+    m_memory = vk::raii::DeviceMemory(
+        device.handle(),
+        vk::MemoryAllocateInfo(needs.size,
+                               device.memoryType(needs.memoryTypeBits, Memory::eHostVisible | Memory::eHostCoherent,
+                                                 Memory::eHostCached)));
+  } catch (const vk::SystemError& error) {
+    throw base::Error(base::ExitCode::failed, device.report().name,
+                      "buffer of " + std::to_string(size) + " bytes for copies", error.what());
+  }
+  m_buffer.bindMemory(*m_memory, 0);
+  m_mapped = static_cast<std::byte*>(m_memory.mapMemory(0, VK_WHOLE_SIZE));
 }
 
 } // namespace parity::gpu

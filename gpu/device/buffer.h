@@ -45,4 +45,20 @@ private:
   std::byte* m_mapped = nullptr;
 };
 
+// Memory of the host that the device copies from and to: mapped as long as it lives.
+class HostBuffer {
+public:
+  HostBuffer(const Device& device, vk::DeviceSize size); // above 0
+
+  vk::Buffer handle() const { return *m_buffer; }
+  vk::DeviceSize size() const { return m_size; }
+  std::byte* data() const { return m_mapped; }
+
+private:
+  vk::DeviceSize m_size = 0;
+  vk::raii::DeviceMemory m_memory{nullptr};
+  vk::raii::Buffer m_buffer{nullptr};
+  std::byte* m_mapped = nullptr;
+};
+
 } // namespace parity::gpu

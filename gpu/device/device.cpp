@@ -157,8 +157,13 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   info.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16 = m_report.float16;
   m_device = vk::raii::Device(m_physical, info.get<vk::DeviceCreateInfo>());
   m_queue = m_device.getQueue(m_queueFamily, 0);
-  m_commandPool = vk::raii::CommandPool(
-      m_device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, m_queueFamily));
+  m_commandPool =
+      vk::raii::CommandPool(m_device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient |
+                                                                    vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
+                                                                m_queueFamily));
+  m_commands = vk::raii::CommandBuffers(
+      m_device, vk::CommandBufferAllocateInfo(*m_commandPool, vk::CommandBufferLevel::ePrimary, 1));
+  m_fence = vk::raii::Fence(m_device, vk::FenceCreateInfo());
   if (m_timestampBits > 0)
     m_queries = vk::raii::QueryPool(m_device, vk::QueryPoolCreateInfo({}, vk::QueryType::eTimestamp, 2));
   // Keeps the driver mapped for the life of the process: leak and thread checkers need its symbols after the instance
@@ -172,6 +177,15 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
 Device::~Device() = default;
 
 std::string DeviceReport::description() const { return fmt::format("{} ({})", name, driver); }
+
+const HostBuffer& Device::staging(vk::DeviceSize size) const {
+  constexpr vk::DeviceSize kLeast = vk::DeviceSize{1} << 20;
+  if (!m_staging || m_staging->size() < size) {
+    m_staging.reset();
+    m_staging = std::make_unique<HostBuffer>(*this, std::max(size, kLeast));
+  }
+  return *m_staging;
+}
 
 bool Device::filtersLinearly(vk::Format format) const {
   return static_cast<bool>(m_physical.getFormatProperties(format).optimalTilingFeatures &
@@ -187,9 +201,14 @@ std::uint32_t Device::memoryType(std::uint32_t typeBits, vk::MemoryPropertyFlags
 }
 
 void Device::submit(const std::string& stage, const std::function<void(const vk::raii::CommandBuffer&)>& record) const {
-  vk::raii::CommandBuffers buffers(m_device,
-                                   vk::CommandBufferAllocateInfo(*m_commandPool, vk::CommandBufferLevel::ePrimary, 1));
-  const vk::raii::CommandBuffer& commands = buffers.front();
+  assert(!m_isSubmitting);
+  struct Submitting {
+    bool& flag;
+    explicit Submitting(bool& f) : flag(f) { flag = true; }
+    ~Submitting() { flag = false; }
+  } const submitting(m_isSubmitting);
+  const vk::raii::CommandBuffer& commands = m_commands.front();
+  commands.reset(); // also of one that an exception has left half recorded
   commands.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
   if (m_timestampBits > 0) {
     commands.resetQueryPool(*m_queries, 0, 2);
@@ -204,12 +223,12 @@ void Device::submit(const std::string& stage, const std::function<void(const vk:
   commands.end();
   checkValidation();
 
-  const vk::raii::Fence fence(m_device, vk::FenceCreateInfo());
+  m_device.resetFences(*m_fence);
   const vk::CommandBuffer handle = *commands;
   const base::Stopwatch wall(nullptr, stage);
   try {
-    m_queue.submit(vk::SubmitInfo({}, {}, handle), *fence);
-    if (m_device.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
+    m_queue.submit(vk::SubmitInfo({}, {}, handle), *m_fence);
+    if (m_device.waitForFences(*m_fence, true, UINT64_MAX) != vk::Result::eSuccess)
       throw deviceError(stage, "the device did not finish its work");
   } catch (const vk::DeviceLostError&) {
     throw deviceError(stage, fmt::format("the device '{}' was lost", m_report.name));

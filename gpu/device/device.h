@@ -12,6 +12,8 @@
 
 namespace parity::gpu {
 
+class HostBuffer;
+
 // Owns instance, device and queue. Not thread-safe: one thread submits.
 class Device {
 public:
@@ -31,12 +33,15 @@ public:
   // Index of a memory type with all of `wanted` among `typeBits`, preferring `preferred` too. Throws Error (exit 4).
   std::uint32_t memoryType(std::uint32_t typeBits, vk::MemoryPropertyFlags wanted,
                            vk::MemoryPropertyFlags preferred) const;
+  // Memory of the host for copies, of at least this size: the same until the next call.
+  const HostBuffer& staging(vk::DeviceSize size) const;
   // Whether device-local memory can be mapped (CPU and integrated devices): then nothing is staged.
   bool unifiedMemory() const { return m_unifiedMemory; }
 
-  // Records, submits and waits. Throws Error (exit 4) when the device is lost or the validation layer spoke. The device
-  // time is added to timings() under "device: " + stage: by timestamps; on a software device, whose timestamps do not
-  // span compute dispatches (lavapipe 22.3 says 0.1 ms of one that takes 100), from submission to the fence.
+  // Records, submits and waits; `record` must not submit. Throws Error (exit 4) when the device is lost or the
+  // validation layer spoke. The device time is added to timings() under "device: " + stage: by timestamps; on a
+  // software device, whose timestamps do not span compute dispatches (lavapipe 22.3 says 0.1 ms of one that takes 100),
+  // from submission to the fence.
   void submit(const std::string& stage, const std::function<void(const vk::raii::CommandBuffer&)>& record) const;
 
   // Device times go there; null: nowhere.
@@ -63,6 +68,11 @@ private:
   vk::raii::Queue m_queue{nullptr};
   vk::raii::CommandPool m_commandPool{nullptr};
   vk::raii::QueryPool m_queries{nullptr};
+  // Made once: a driver takes longer for a fence than for a small copy.
+  vk::raii::CommandBuffers m_commands{nullptr};
+  vk::raii::Fence m_fence{nullptr};
+  mutable bool m_isSubmitting = false;
+  mutable std::unique_ptr<HostBuffer> m_staging;
   base::Timings* m_timings = nullptr;
 };
 

@@ -45,7 +45,8 @@ void ImageUpload::write(std::uint32_t mip, std::span<const std::byte> pixels) {
         continue;
       }
       const auto rows = static_cast<std::uint32_t>(std::min<vk::DeviceSize>(room, height - row));
-      m_staging.upload(pixels.subspan((vk::DeviceSize{layer} * height + row) * rowBytes, rows * rowBytes), begin);
+      std::memcpy(m_staging.data() + begin, pixels.data() + (vk::DeviceSize{layer} * height + row) * rowBytes,
+                  rows * rowBytes);
       m_copies.emplace_back(begin, 0, 0, vk::ImageSubresourceLayers(vk::ImageAspectFlagBits::eColor, mip, layer, 1),
                             vk::Offset3D(0, static_cast<std::int32_t>(row), 0), vk::Extent3D(width, rows, 1));
       m_used = begin + rows * rowBytes;

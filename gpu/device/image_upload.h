@@ -27,7 +27,7 @@ private:
 
   const Device& m_device;
   const DeviceImage& m_image;
-  Buffer m_staging;
+  HostBuffer m_staging;
   vk::DeviceSize m_used = 0;
   std::vector<vk::BufferImageCopy> m_copies; // that wait in the staging buffer
   bool m_isFirst = true;

@@ -229,16 +229,20 @@ private:
       for (const auto* sets : setsOf(m_result.materials[i]))
         for (const SetOutcome& set : *sets)
           if (std::vector<std::size_t>& all = wanted[set.mask]; all.empty() || all.back() != i) all.push_back(i);
-    std::size_t done = 0;
+    tell("counting operations", 0, 1);
+    std::vector<SetRenderer::CostRequest> requests;
     for (const auto& [mask, places] : wanted) {
-      tell("counting operations", done++, wanted.size());
-      std::vector<std::size_t> materials;
-      for (const std::size_t i : places) materials.push_back(m_materials[i]);
-      const std::vector<Cost> costs = m_renderer.costs(turned(mask), materials);
+      SetRenderer::CostRequest& request = requests.emplace_back(turned(mask));
+      for (const std::size_t i : places) request.materials.push_back(m_materials[i]);
+    }
+    const std::vector<std::vector<Cost>> costs = m_renderer.costs(requests);
+    std::size_t request = 0;
+    for (const auto& [mask, places] : wanted) {
       for (std::size_t k = 0; k < places.size(); ++k)
         for (auto* sets : setsOf(m_result.materials[places[k]]))
           for (SetOutcome& set : *sets)
-            if (set.mask == mask) set.cost = costs[k];
+            if (set.mask == mask) set.cost = costs[request][k];
+      ++request;
     }
   }
 

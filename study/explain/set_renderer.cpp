@@ -142,24 +142,34 @@ std::optional<base::Image> SetRenderer::intermediate(const job::Settings& settin
   return m_surfaces.compose(m_surfaces.shade(*makeRenderer(settings, Program::wide, *place)), std::nullopt);
 }
 
-std::vector<Cost> SetRenderer::costs(const job::Settings& settings, const std::vector<std::size_t>& materials) {
-  const auto renderer = makeRenderer(settings, Program::specialised);
-  const gpu::ShadingPass& pass = renderer->pass();
-  std::vector<std::vector<std::uint32_t>> constants;
-  for (const std::size_t m : materials)
-    constants.push_back(pass.exactConstants(gpu::classify(m_prepared.scene.materials[m])));
-  std::vector<std::vector<std::uint32_t>> distinct = constants;
-  std::ranges::sort(distinct);
-  const auto repeated = std::ranges::unique(distinct);
-  distinct.erase(repeated.begin(), repeated.end());
-  std::vector<Cost> counted(distinct.size());
-  base::parallelFor(distinct.size(), 1, [&](std::size_t i, std::size_t) {
-    const report::PermutationCost cost = job::costOf(m_context, pass.spirv(), distinct[i]);
-    counted[i] = {static_cast<std::int64_t>(cost.operations()), static_cast<std::int64_t>(cost.fetches)};
+std::vector<std::vector<Cost>> SetRenderer::costs(const std::vector<CostRequest>& requests) {
+  using Specialised = std::pair<const std::uint32_t*, std::vector<std::uint32_t>>; // SPIR-V, constants
+  std::map<Specialised, Cost> counted;
+  std::map<const std::uint32_t*, gpu::Spirv> modules;
+  std::vector<std::vector<Specialised>> programs;
+  for (const CostRequest& request : requests) {
+    const auto renderer = makeRenderer(request.settings, Program::specialised);
+    const gpu::ShadingPass& pass = renderer->pass();
+    modules[pass.spirv().data()] = pass.spirv();
+    std::vector<Specialised>& of = programs.emplace_back();
+    for (const std::size_t m : request.materials) {
+      of.emplace_back(pass.spirv().data(), pass.exactConstants(gpu::classify(m_prepared.scene.materials[m])));
+      counted[of.back()];
+    }
+  }
+  // All at once: most sets have one or two programs.
+  std::vector<std::pair<const Specialised*, Cost*>> all;
+  for (auto& [program, cost] : counted) all.emplace_back(&program, &cost);
+  base::parallelFor(all.size(), 1, [&](std::size_t i, std::size_t) {
+    const auto& [program, cost] = all[i];
+    const report::PermutationCost permutation = job::costOf(m_context, modules.at(program->first), program->second);
+    *cost = {static_cast<std::int64_t>(permutation.operations()), static_cast<std::int64_t>(permutation.fetches)};
   });
-  std::vector<Cost> costs;
-  for (const std::vector<std::uint32_t>& each : constants)
-    costs.push_back(counted[static_cast<std::size_t>(std::ranges::lower_bound(distinct, each) - distinct.begin())]);
+  std::vector<std::vector<Cost>> costs;
+  for (const std::vector<Specialised>& of : programs) {
+    std::vector<Cost>& each = costs.emplace_back();
+    for (const Specialised& program : of) each.push_back(counted.at(program));
+  }
   return costs;
 }
 

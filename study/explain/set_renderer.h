@@ -36,8 +36,13 @@ public:
   // An intermediate of that path ("Roughness") by its first channel: a picture; nothing where the path has none of that
   // name.
   std::optional<base::Image> intermediate(const job::Settings& settings, const std::string& name);
-  // What a pixel of each material costs by a program made for its class alone.
-  std::vector<Cost> costs(const job::Settings& settings, const std::vector<std::size_t>& materials);
+  struct CostRequest {
+    job::Settings settings;
+    std::vector<std::size_t> materials;
+  };
+  // What a pixel of each material costs by a program made for its class alone: for each request, in the order of its
+  // materials.
+  std::vector<std::vector<Cost>> costs(const std::vector<CostRequest>& requests);
   // That path's picture as displayed, by specialised programs.
   base::Image8 picture(const job::Settings& settings);
   // Mean FLIP of each of these materials where the scene has others in their places, by both paths: of the same

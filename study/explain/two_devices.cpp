@@ -19,7 +19,9 @@ void onTwoDevices(job::Context& context, std::size_t count,
       throw;
     }
   };
-  if (count < 2 || base::threadCount() < 2) return takeAll(context);
+  // What a driver does for hardware does not get faster by a second device.
+  const bool isSoftware = context.deviceReport().kind == "cpu";
+  if (count < 2 || base::threadCount() < 2 || !isSoftware) return takeAll(context);
   if (context.cache().enabled()) context.numerics(); // once for both
   job::Context second(context, job::Context::ForAnotherThread{});
   std::future<void> other = std::async(std::launch::async, [&] { takeAll(second); });

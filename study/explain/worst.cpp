@@ -77,6 +77,9 @@ struct Found {
   float rotation = 0, radius = 1;
 };
 
+// Of so many points. A search that has few of them has slow pictures.
+int refinedFor(int points) { return points < 300 ? 6 : 8; }
+
 class Search {
 public:
   Search(job::Context& context, const job::SceneRequest& request, const WorstOptions& options,
@@ -118,7 +121,8 @@ private:
       const int share = std::max(1, wanted / m_domain.rotations());
       {
         const std::lock_guard lock(m_mutex);
-        m_planned = share * m_domain.rotations() + m_options.refined * m_options.steps;
+        m_refined = m_options.refined > 0 ? m_options.refined : refinedFor(wanted);
+        m_planned = share * m_domain.rotations() + m_refined * m_options.steps;
       }
       for (Peak& point :
            spreadPoints(valueIn(context, stage), m_domain.periodic().size(), share, static_cast<int>(k) * share))
@@ -137,7 +141,7 @@ private:
                distanceOf(each.peak.at, other.peak.at, m_domain.periodic()) < kSamePeak;
       });
       if (!isKnown) chosen.push_back(each);
-      if (chosen.size() == static_cast<std::size_t>(m_options.refined)) break;
+      if (chosen.size() == static_cast<std::size_t>(m_refined)) break;
     }
     m_found = std::move(chosen);
   }
@@ -205,6 +209,7 @@ private:
   std::vector<Found> m_found;
   std::mutex m_mutex; // of all below
   int m_planned = 1;  // pictures
+  int m_refined = 0;
   WorstResult m_result;
 };
 

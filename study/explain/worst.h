@@ -21,7 +21,7 @@ inline constexpr std::uint64_t kLeastWorstPixels = 1000;
 
 struct WorstOptions {
   int points = 0;    // pictures of views that are spread evenly, over all rotations; 0: as pointsFor gives
-  int refined = 8;   // of them the best, of which each is refined
+  int refined = 0;   // of them the best, of which each is refined; 0: eight, six of heavy scenes
   int steps = 40;    // by so many pictures at most
   int size = 128;    // longer side of the pictures that are searched, pixels
   int rotations = 4; // of the environment, evenly spread; 1: it stays as it is
