@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -216,10 +217,10 @@ struct StudyPresetCommand {
 };
 
 struct StressCommand {
-  stress::Options options;          // all but the presets
-  std::vector<std::string> presets; // of the mobile path; none: all
-  std::string at;                   // one input by hand; empty: none
-  std::string folder, json;         // "-" for stdout, "" for none
+  stress::Options options;                                 // all but the presets
+  std::map<std::string, std::vector<std::string>> presets; // by the id of their knob; none: all
+  std::string at;                                          // one input by hand; empty: none
+  std::string folder, json;                                // "-" for stdout, "" for none
   bool list = false, quiet = false;
   int threads = 0;
 };

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <set>
 #include <thread>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -146,8 +148,7 @@ void requireSense(const RenderCommand& command, const job::Settings& settings, c
     throw base::Error(base::ExitCode::usage, "--error-map", command.path, "only --path truth has an error map");
 
   if (command.watches && presetFolders(settings).empty())
-    throw base::Error(base::ExitCode::usage, "--watch", "",
-                      "there is no preset folder to watch (--mobile-preset FOLDER)");
+    throw base::Error(base::ExitCode::usage, "--watch", "", "there is no preset folder to watch");
 }
 
 // One picture, and what goes with it.
@@ -189,14 +190,17 @@ void draw(const RenderCommand& command, job::Context& context, job::PreparedScen
   }
 }
 
-// When the folders' files were written last, and how many they are.
-std::vector<std::filesystem::file_time_type> timesOf(const std::vector<std::string>& folders) {
-  std::vector<std::filesystem::file_time_type> times;
-  std::error_code none;
-  for (const std::string& folder : folders)
-    for (const auto& entry : std::filesystem::directory_iterator(folder, none))
-      times.push_back(entry.last_write_time(none));
-  return times;
+// Names, sizes and times of the folders' files.
+using FolderState = std::set<std::tuple<std::string, std::uintmax_t, std::filesystem::file_time_type>>;
+
+FolderState stateOf(const std::vector<std::string>& folders) {
+  FolderState state;
+  for (const std::string& folder : folders) {
+    std::error_code error, none;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+      state.emplace(entry->path().string(), entry->file_size(none), entry->last_write_time(none));
+  }
+  return state;
 }
 
 // The picture again at each change of the folders. What is wrong with one is said, and the next change is waited for.
@@ -207,9 +211,9 @@ int watch(const RenderCommand& command, job::Context& context, job::PreparedScen
   const base::StopSignal stop;
   base::logInfo(fmt::format("watching {}; Ctrl-C ends", fmt::join(folders, " and ")));
   bool isFirst = true;
-  for (std::vector<std::filesystem::file_time_type> seen; base::StopSignal::received() == 0;) {
-    if (const auto times = timesOf(folders); times != seen) {
-      seen = times;
+  for (FolderState seen; base::StopSignal::received() == 0;) {
+    if (FolderState state = stateOf(folders); state != seen) {
+      seen = std::move(state);
       const base::Stopwatch time(nullptr, "picture");
       try {
         if (!isFirst) readAgain(command, context, prepared, request, paths);

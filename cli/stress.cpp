@@ -40,10 +40,11 @@ int runStressCommand(const StressCommand& command) {
   if (!command.folder.empty()) std::filesystem::create_directories(command.folder, problem);
   if (problem) throw base::fileError(command.folder, "", problem.message());
   stress::Options options = command.options;
-  for (const std::string& preset : command.presets) {
-    const job::Settings settings = job::withKnobs({}, {{"mobile-preset", {{preset}, "--mobile-preset"}}});
-    options.render.presets.push_back(job::knobs().find("mobile-preset")->text(settings));
-  }
+  for (const auto& [knob, presets] : command.presets)
+    for (const std::string& preset : presets) {
+      const job::Settings settings = job::withKnobs({}, {{knob, {{preset}, "--" + knob}}});
+      options.render.presets.push_back(job::knobs().find(knob)->text(settings));
+    }
   const stress::Report report = stress::runStress(options, makeProgress(command.quiet));
   if (!command.folder.empty()) {
     const std::filesystem::path folder = command.folder;

@@ -24,6 +24,7 @@ base::KnobTable<Options> makeKnobs() {
        [](const Options& o) { return o.preset; })
       .costs(KnobStage::shading)
       .orFolder()
+      .pinnedBy([](const Options& o) { return o.own ? o.own->reference() : o.preset; })
       .knob.choices = {kBuiltInPreset};
   t.section("Paths", {"highend", "truth"});
   t.choice<&Options::model, &shading::SurfaceModel::geometryTerm>("geometry-term", geometryTermNames(),

@@ -149,7 +149,7 @@ public:
          {{"off-specular", "none"}, {"compensation", "none"}}},
         {"Karis 2013 and Turquin 2019", "environment", {{"off-specular", "none"}, {"compensation", "turquin"}}}};
     for (const auto& folder : paths::readPresetFolders(name()))
-      sets.push_back({folder->text(), "", {{"highend-preset", folder->text()}}});
+      sets.push_back({folder->text(), "", {{"highend-preset", folder->reference()}}});
     return sets;
   }
   void prepareAgain(const std::string& knob, const paths::Options& options,

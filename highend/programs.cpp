@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/error.h"
 #include "highend/knobs.h"
 #include "highend_shaders/highend.comp.h"
 #include "highend_shaders/highend_lobes.comp.h"
@@ -18,7 +19,7 @@ gpu::Spirv builtIn(const paths::ProgramMacros& macros) {
   return macros.empty() ? gpu::Spirv(kHighendComp) : gpu::Spirv(kHighendLobesComp);
 }
 
-// Of the embedded texts those of preset folders.
+// The embedded texts that are templates of folders.
 std::vector<gpu::ShaderText> templatesOf() {
   std::vector<gpu::ShaderText> templates;
   for (const gpu::ShaderText& text : kHighendShaderTexts)
@@ -60,7 +61,11 @@ Options optionsOfFolder(const std::string& text) {
   Options options;
   options.own = paths::readPresetFolder(text, presetHost());
   options.preset = options.own->text();
-  knobs().apply(options, options.own->knobs());
+  try {
+    knobs().apply(options, options.own->knobs());
+  } catch (const base::Error& error) {
+    throw base::fileError(error.subject(), error.place(), error.reason());
+  }
   return options;
 }
 

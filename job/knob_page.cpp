@@ -36,7 +36,7 @@ std::string valuesOf(const Knob& knob) {
   case KnobType::whole:
     return fmt::format("whole, {} to {}", knob.least, knob.most);
   case KnobType::choice:
-    return fmt::format("{}", fmt::join(knob.choices, ", "));
+    return fmt::format("{}{}", fmt::join(knob.choices, ", "), knob.takesFolder ? ", or a folder (presets.md)" : "");
   case KnobType::texts:
     if (!knob.choices.empty()) return fmt::format("list of {}", fmt::join(knob.choices, ", "));
     return "list of globs";

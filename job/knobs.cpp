@@ -289,9 +289,10 @@ const scenes::SuiteKnobs& suiteKnobs() {
 }
 
 base::GivenKnobs withPinnedFolders(base::GivenKnobs given, const Settings& settings) {
-  for (const base::KnobRow<Settings>& row : knobs().rows())
-    if (const auto found = given.find(row.knob.id); row.knob.takesFolder && found != given.end())
-      found->second.value = {row.text(settings)};
+  for (const base::KnobRow<Settings>& row : knobs().rows()) {
+    const auto found = given.find(row.knob.id);
+    if (found != given.end() && row.pinned) found->second.value = {row.pinned(settings)};
+  }
   return given;
 }
 

@@ -28,7 +28,8 @@ Settings defaultsOf(const base::GivenKnobs& ofSuite, const Settings& settings, c
 std::vector<SceneRequest> requestsOf(const scenes::Suite& suite, const Settings& settings,
                                      const base::GivenKnobs& commandLine);
 
-// What is given, folders by their content, too, as the settings have it: who reads it later refuses another content.
+// The given knobs, where each folder is named with the hash of its content. A later reader refuses a folder whose
+// content differs. settings: made of them.
 base::GivenKnobs withPinnedFolders(base::GivenKnobs given, const Settings& settings);
 
 // Whether the knob does anything with these settings: not where the one that it needs is off.

@@ -69,11 +69,14 @@ void deriveWhatIfs(Settings& settings, const Settings& plain, const base::GivenK
     Settings other = plain;
     knobs().apply(other, base::merged(given, {{pathByName(each.path).folderKnob(), {{each.preset}, kOption}}}));
     each.options = other.options;
+    const paths::Path& path = pathByName(each.path);
+    const auto& row = *path.knobs().find(path.folderKnob());
+    each.preset = row.text(each.options), each.pinned = row.pinned ? row.pinned(each.options) : each.preset;
   }
 }
 
 void requireWhatIfs(const Settings& settings) {
-  for (const auto& [preset, name, options] : settings.whatIfs) {
+  for (const auto& [preset, name, options, pinned] : settings.whatIfs) {
     const auto refuse = [&](const std::string& reason) {
       throw base::Error(base::ExitCode::usage, kOption, "", fmt::format("'{}' {}", preset, reason));
     };

@@ -39,6 +39,7 @@ void addLook(base::KnobTable<Options>& t) {
       .costs(KnobStage::shading)
       .listedAs("presets")
       .orFolder()
+      .pinnedBy([](const Options& o) { return o.own ? o.own->reference() : o.preset; })
       .knob.choices = presetNames();
   t.choice<&Options::environmentBrdf>("environment-brdf", environmentBrdfNames(), "Mobile path: the environment BRDF")
       .titled("mobile environment BRDF")
@@ -225,6 +226,9 @@ void requireSense(const Options& options, const std::string& display) {
            fmt::format("{} is not below --mixing-end ({})", options.mixing.begin, options.mixing.end));
   if (options.directLobe == DirectLobe::own && !(options.own && options.own->defines("presetDirectLobe")))
     refuse("--direct-lobe", "'own' needs a preset folder that defines presetDirectLobe");
+  if (options.own && options.own->defines("presetCaptureMip") && options.environmentBrdf == EnvironmentBrdf::refit)
+    refuse("--mobile-preset",
+           "presetCaptureMip has no effect with refit's environment BRDF, which has a mip of its own");
   // Refit's lobe and its environment BRDF share their terms: neither is anything without the other.
   if ((options.directLobe == DirectLobe::refit) != (options.environmentBrdf == EnvironmentBrdf::refit))
     refuse(

@@ -253,12 +253,14 @@ public:
   // Every preset in both precisions, folders that are in use too; refit also where its capture costs no bits.
   std::vector<KnobSet> knobSets() const override {
     std::vector<KnobSet> sets;
-    std::vector<std::string> presets = presetNames();
-    for (const auto& folder : paths::readPresetFolders(name())) presets.push_back(folder->text());
-    for (const std::string& preset : presets)
+    std::vector<std::pair<std::string, std::string>> presets; // name, value
+    for (const std::string& preset : presetNames()) presets.emplace_back(preset, preset);
+    for (const auto& folder : paths::readPresetFolders(name()))
+      presets.emplace_back(folder->text(), folder->reference());
+    for (const auto& [preset, value] : presets)
       for (const std::string& precision : precisionNames())
         sets.push_back(
-            {fmt::format("{} {}", preset, precision), "", {{"mobile-preset", preset}, {"precision", precision}}});
+            {fmt::format("{} {}", preset, precision), "", {{"mobile-preset", value}, {"precision", precision}}});
     for (const std::string& precision : precisionNames())
       sets.push_back({fmt::format("refit {}, capture fp16", precision),
                       "environment",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/error.h"
 #include "mobile/knobs.h"
 #include "mobile_shaders/mobile_fp16.comp.h"
 #include "mobile_shaders/mobile_fp32.comp.h"
@@ -40,7 +41,7 @@ std::string_view declarations() {
   return std::ranges::find(texts, "shading/mobile_preset.glsl", &gpu::ShaderText::path)->text;
 }
 
-// Of the embedded texts those of preset folders.
+// The embedded texts that are templates of folders.
 std::vector<gpu::ShaderText> templatesOf() {
   std::vector<gpu::ShaderText> templates;
   for (const gpu::ShaderText& text : kMobileShaderTexts)
@@ -98,9 +99,16 @@ Options optionsOfFolder(const std::string& text, const Options& plain) {
   Options options = withRest(presetByName(folder->base()), plain);
   options.own = folder;
   options.preset = folder->text();
+  if (const auto found = folder->knobs().find("direct-lobe");
+      found != folder->knobs().end() && folder->defines("presetDirectLobe"))
+    throw base::fileError(found->second.where, "", "has no effect beside presetDirectLobe; leave out one of them");
+  try {
+    knobs().apply(options, folder->knobs());
+  } catch (const base::Error& error) {
+    throw base::fileError(error.subject(), error.place(), error.reason());
+  }
   if (folder->defines("presetEnvironmentBrdf")) options.environmentBrdf = EnvironmentBrdf::own;
   if (folder->defines("presetDirectLobe")) options.directLobe = DirectLobe::own;
-  knobs().apply(options, folder->knobs());
   return options;
 }
 

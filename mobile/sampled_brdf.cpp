@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mobile/probe.h"
+#include "mobile/renderer.h"
 #include "paths/preset/preset_folder.h"
 
 namespace parity::mobile {
@@ -32,8 +33,9 @@ std::vector<glm::dvec3> sample(const gpu::Device& device, const Options& options
 } // namespace
 
 SampledBrdf::SampledBrdf(const gpu::Device& device, const Options& options)
-    : m_options(options), m_general{sample(device, options, kProbeEnvironmentBrdf, kF0[0]),
-                                    sample(device, options, kProbeEnvironmentBrdf, kF0[1])},
+    : m_options(options), m_half(precisionOn(device.report(), options) == Precision::fp16),
+      m_general{sample(device, options, kProbeEnvironmentBrdf, kF0[0]),
+                sample(device, options, kProbeEnvironmentBrdf, kF0[1])},
       m_nonmetal(sample(device, options, kProbeNonmetal, kF0[0])) {}
 
 glm::dvec3 SampledBrdf::read(const Nodes& nodes, double roughness, double NoV) {
@@ -49,8 +51,10 @@ paths::EnvBrdfWords SampledBrdf::words() const {
   return {.label = "mobile",
           .kind = "approximation",
           .variant = m_options.preset,
-          .formula = m_options.own ? "presetEnvironmentBrdf of " + m_options.own->folder() : "the preset's",
-          .numbers = m_options.precision == Precision::fp16 ? "by the device in half" : "by the device in fp32",
+          .formula = m_options.environmentBrdf == EnvironmentBrdf::own
+                         ? "presetEnvironmentBrdf of " + m_options.own->folder()
+                         : "as the device computes it",
+          .numbers = m_half ? "by the device in half" : "by the device in fp32",
           .multiple = "none"};
 }
 

@@ -28,6 +28,7 @@ private:
   static glm::dvec3 read(const Nodes& nodes, double roughness, double NoV);
 
   Options m_options;
+  bool m_half;
   std::array<Nodes, 2> m_general; // at F0 = .04 and 1
   Nodes m_nonmetal;
 };

@@ -5,7 +5,8 @@
 #define PARITY_SHADING_MOBILE_PRESET
 
 // A and B of the environment BRDF: a surface reflects SpecularColor A + B of the environment that surrounds it evenly.
-// SpecularColor: F0, linear, 0 to 1. Roughness: 0 to 1. NoV: cosine of the view's angle, 0 to 1. A and B: 0 to 1.
+// SpecularColor: F0, linear, 0 to 1. Roughness: 0 to 1. NoV: cosine of the view's angle, at least 0, in half up to 1.002.
+// A and B: about 0 to 1; F0 A + B is at least 0.
 // Fully rough materials do not call it.
 #ifdef PARITY_OWN_presetEnvironmentBrdf
 real2 presetEnvironmentBrdf(real3 SpecularColor, real Roughness, real NoV);
@@ -13,7 +14,7 @@ real2 presetEnvironmentBrdf(real3 SpecularColor, real Roughness, real NoV);
 
 // The same for a nonmetal whose F0 is 0.04: the whole of 0.04 A + B, 0 to 1. Without it nonmetals take
 // presetEnvironmentBrdf, too. Read only beside presetEnvironmentBrdf.
-// Roughness: 0 to 1. NoV: 0 to 1.
+// Roughness: 0 to 1. NoV: at least 0, in half up to 1.002.
 #ifdef PARITY_OWN_presetEnvironmentBrdfNonmetal
 real presetEnvironmentBrdfNonmetal(real Roughness, real NoV);
 #endif
@@ -22,7 +23,7 @@ real presetEnvironmentBrdfNonmetal(real Roughness, real NoV);
 // The light's colour, which it is multiplied with, holds 1/pi.
 // c.SpecPreEnvBrdf: F0. c.SpecularColor: the environment BRDF's result. c.Roughness: 0 to 1, not below the preset's floor.
 // f.N, f.V, f.reflection: unit, from the surface; f.N32, f.V32: the same in fp32. L: unit, towards the light.
-// NoL: 0 to 1. Of brushed metal f is about the bent normal.
+// NoL: at least 0, in half up to 1.002. For brushed metal, f lies about the bent normal.
 #ifdef PARITY_OWN_presetDirectLobe
 real3 presetDirectLobe(MobileShadingModelContext c, MobileFrame f, real32x3 L, real NoL);
 #endif
@@ -35,19 +36,20 @@ real3 presetLocalLobe(MobileShadingModelContext c, MobileFrame f, real32x3 L, re
 // Attenuation of a point or spot light by the distance, in 1/m^2: candela times it are lux.
 // falloff: kFalloffKhr, kFalloffUE4 or kFalloffExponent, as the scene or --falloff says. d2: the distance squared, in m^2,
 // at least 0. range: in m; 0 or infinite: none. exponent: above 0, of kFalloffExponent alone, whose result is 0 to 1.
+// The choice of an object's four lights and baked light keep the path's own attenuation and cone.
 #ifdef PARITY_OWN_presetDistanceFalloff
 real32 presetDistanceFalloff(int falloff, real32 d2, real32 range, real32 exponent);
 #endif
 
 // Attenuation of a spot light across its cone, 0 to 1.
-// cosAngle: between the cone's axis and the way to the point, -1 to 1. cosInner: at least cosOuter.
+// cosAngle: between the cone's axis and the way to the point, -1 to 1, in half up to 1.002. cosInner: at least cosOuter.
 #ifdef PARITY_OWN_presetSpotCone
 real presetSpotCone(real cosAngle, real cosInner, real cosOuter);
 #endif
 
 // The mip of the reflected environment: 0 (roughness 0.056 and below) to kPrefilterRoughestMip (5, roughness 1); mip m
 // holds a GGX lobe of the roughness roughnessFromMip(m).
-// Roughness: 0 to 1.
+// Roughness: 0 to 1. Not with refit's environment BRDF, which has a mip of its own.
 #ifdef PARITY_OWN_presetCaptureMip
 real presetCaptureMip(real Roughness);
 #endif

@@ -26,6 +26,7 @@ template <typename T> struct KnobRow {
   std::function<std::string(const T&)> text;     // one text a value
   std::function<std::string(const T&)> words;    // the value for people; empty: the text says it
   std::function<std::string(const T&)> path;     // of KnobType::file: as it was given; "": none
+  std::function<std::string(const T&)> pinned;   // the text by which the same value is read again; empty: `text`
 
   // More of the row, in the order of the table.
   KnobRow& titled(std::string title) { return knob.title = std::move(title), *this; }
@@ -41,6 +42,7 @@ template <typename T> struct KnobRow {
   KnobRow& noCondition() { return knob.isCondition = false, *this; }
   KnobRow& notInSuite() { return knob.inSuite = false, *this; }
   KnobRow& ofScene() { return knob.ofScene = true, *this; }
+  KnobRow& pinnedBy(std::function<std::string(const T&)> make) { return pinned = std::move(make), *this; }
   KnobRow& inWords(std::function<std::string(const T&)> make) { return words = std::move(make), *this; }
 };
 
@@ -147,6 +149,7 @@ public:
       lifted.set = [set = row.set, at](T& t, const KnobValue& v) { set(at(t), v); };
       lifted.text = [text = row.text, at](const T& t) { return text(at(t)); };
       if (row.path) lifted.path = [path = row.path, at](const T& t) { return path(at(t)); };
+      if (row.pinned) lifted.pinned = [pinned = row.pinned, at](const T& t) { return pinned(at(t)); };
       if (row.words) lifted.words = [words = row.words, at](const T& t) { return words(at(t)); };
     }
     return *this;

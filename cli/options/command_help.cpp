@@ -188,7 +188,7 @@ const std::vector<CommandHelp>& table() {
       {"preset", "", {}, {kDone, kFailed, kUsage}},
       {"preset new",
        "The folder holds preset.toml and preset.glsl, with the template's formulas. See docs/presets.md.",
-       {{"parity preset new mypreset --from ue4-2020", "then: parity diff scene.glb --mobile-preset ./mypreset"}},
+       {{"parity preset new mypreset --from ue4-2020", "a folder; it says which option takes it"}},
        {kDone, {4, "the folder has files already, or cannot be written"}, kUsage}},
       {"preset functions", "", {{"parity preset functions", "their prototypes, units and ranges"}}, {kDone, kUsage}},
       {"study-preset",

@@ -152,6 +152,7 @@ void settle(const CLI::App& app, CommonOptions& common, const RawOptions& raw, b
     scenes::viewKnobs().apply(common.view, raw.views);
     scenes::requireSense(common.view);
   } catch (const base::Error& error) {
+    if (error.code() != base::ExitCode::usage) throw; // a preset folder
     throw CLI::ValidationError(error.subject(), error.reason());
   }
   if (s.truth && !s.scene.baked.empty())

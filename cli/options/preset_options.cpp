@@ -24,7 +24,7 @@ void addPresetOptions(CLI::App& app, RawPresetOptions& raw) {
 void addStudyPresetOptions(CLI::App& app, RawPresetOptions& raw) {
   StudyPresetCommand& study = raw.study;
   study.common.settings.width = study.common.settings.height = 256;
-  app.add_option("presets", study.request.presets, "Preset folders of the mobile path, or names of its presets")
+  app.add_option("presets", study.request.presets, "Preset folders, or names of presets")
       ->type_name("PRESET")
       ->required();
   app.add_option("--scene", study.request.scene, "Scene file or builtin:NAME to render with each preset")
@@ -37,8 +37,9 @@ void addStudyPresetOptions(CLI::App& app, RawPresetOptions& raw) {
   app.add_option("--json", study.common.json, "Write all figures to this file; - for stdout, instead of the text")
       ->type_name(kFile)
       ->group(kOutputGroup);
-  addKnobs(app, study.common, raw.common, {"Picture", "Paths"},
-           {"env", "mobile-preset", "precision", "costs", "paths"});
+  std::vector<std::string> without = {"env", "precision", "costs", "paths"};
+  for (const paths::Path* path : job::allPaths()) without.push_back(path->folderKnob()); // the presets themselves
+  addKnobs(app, study.common, raw.common, {"Picture", "Paths"}, without);
   addEnvironments(app, raw.common);
   addRunOptions(app, study.common, raw.common);
 }
@@ -54,6 +55,9 @@ StudyPresetCommand settleStudyPreset(const CLI::App& app, const RawPresetOptions
   requireSizeFits(command.common, kComparedPixelBytes);
   command.request.size = command.common.settings.width;
   command.common.settings.costs = true;
+  command.request.plain = command.common.plain;
+  command.request.plain.costs = true;
+  command.request.given = command.common.given;
   command.request.environments = command.common.environments;
   if (command.request.environments.empty())
     for (const char* name : {"builtin:studio", "builtin:sky", "builtin:night"})

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/option_parts.h"
+#include "job/paths.h"
 
 namespace parity::cli {
 
@@ -39,10 +40,12 @@ void addStressOptions(CLI::App& app, RawStressOptions& raw) {
       ->type_name("GLOB")
       ->capture_default_str()
       ->group("Renders");
-  repeat(app.add_option("--mobile-preset", raw.stress.presets,
-                        "Render only these presets of the mobile path, folders too (repeatable). Default: all"))
-      ->type_name("PRESET")
-      ->group("Renders");
+  for (const paths::Path* path : job::allPaths())
+    if (const std::string knob = path->presetKnob(); !knob.empty())
+      repeat(app.add_option("--" + knob, raw.stress.presets[knob],
+                            "Render only these presets of the path, folders too (repeatable). Default: all"))
+          ->type_name("PRESET")
+          ->group("Renders");
   app.add_option("--scenes", options.scenes, "Number of random scenes")
       ->check(wholeWithin(0, 1'000'000))
       ->capture_default_str()

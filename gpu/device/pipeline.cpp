@@ -72,19 +72,19 @@ vk::raii::Pipeline makeComputePipeline(const Device& device, const vk::raii::Pip
 
 vk::Pipeline PipelineStore::find(Spirv spirv, std::span<const std::uint32_t> constants) const {
   const auto found = std::ranges::find_if(m_entries, [&](const Entry& each) {
-    return each.spirv == spirv.data() && std::ranges::equal(each.constants, constants);
+    return each.spirv.data() == spirv.data() && std::ranges::equal(each.constants, constants);
   });
   return found == m_entries.end() ? vk::Pipeline() : *found->pipeline;
 }
 
 vk::Pipeline PipelineStore::add(Spirv spirv, std::span<const std::uint32_t> constants, vk::raii::Pipeline pipeline) {
-  m_entries.push_back({spirv.data(), {constants.begin(), constants.end()}, std::move(pipeline)});
+  m_entries.push_back({spirv, {constants.begin(), constants.end()}, std::move(pipeline)});
   return *m_entries.back().pipeline;
 }
 
 std::set<PipelineStore::Key> PipelineStore::keys() const {
   std::set<Key> keys;
-  for (const Entry& entry : m_entries) keys.emplace(entry.spirv, entry.constants);
+  for (const Entry& entry : m_entries) keys.emplace(Shader{entry.spirv}, entry.constants);
   return keys;
 }
 

@@ -53,16 +53,20 @@ vk::raii::Pipeline makeComputePipeline(const Device& device, const vk::raii::Pip
 // the device does.
 class PipelineStore {
 public:
-  // Null where there is none. `spirv` is told apart by its address: shaders are compiled into the program.
+  // Null where there is none. `spirv` is told apart by its address: a shader stays where it is until the process ends.
   vk::Pipeline find(Spirv spirv, std::span<const std::uint32_t> constants) const;
   vk::Pipeline add(Spirv spirv, std::span<const std::uint32_t> constants, vk::raii::Pipeline pipeline);
   // What each is made of.
-  using Key = std::pair<const std::uint32_t*, std::vector<std::uint32_t>>;
+  struct Shader {
+    Spirv words;
+    bool operator<(const Shader& other) const { return words.data() < other.words.data(); }
+  };
+  using Key = std::pair<Shader, std::vector<std::uint32_t>>;
   std::set<Key> keys() const;
 
 private:
   struct Entry {
-    const std::uint32_t* spirv;
+    Spirv spirv;
     std::vector<std::uint32_t> constants;
     vk::raii::Pipeline pipeline;
   };

@@ -122,6 +122,7 @@ Plan readPlan(const fs::path& folder) {
   try {
     plan = planFromText(text);
   } catch (const base::Error& error) {
+    if (error.code() == base::ExitCode::failed) throw; // a preset folder, not the plan
     throw base::fileError(file.string(), "", std::string("is damaged, or a plan of another version: ") + error.what());
   } catch (const std::exception& error) {
     throw base::fileError(file.string(), "", "is damaged, or a plan of another version: " + base::wordsOf(error));

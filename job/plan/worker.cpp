@@ -108,13 +108,12 @@ private:
     return added;
   }
 
-  // By what tells them apart in every process of this binary: where the shader lies in it.
+  // By what tells them apart in every process.
   std::vector<std::string> newShaders() {
-    static const int kAnchor = 0;
     std::vector<std::string> added;
     for (const auto& [spirv, constants] : m_context.compiledShaders()) {
       base::Hasher hasher;
-      hasher.addValue(reinterpret_cast<std::intptr_t>(spirv) - reinterpret_cast<std::intptr_t>(&kAnchor));
+      hasher.add(std::as_bytes(spirv.words));
       for (const std::uint32_t constant : constants) hasher.addValue(constant);
       if (std::string hash = hasher.hex(); m_shaders.insert(hash).second) added.push_back(std::move(hash));
     }

@@ -84,11 +84,7 @@ void addDirectionalLight(inout BasePass pass, Shaded s, Point p, uint i) {
 // capture, whose texels have it.
 void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
   real3 direction = s.frame.reflection;
-#ifdef PARITY_OWN_presetCaptureMip
-  real mip = presetCaptureMip(s.context.Roughness);
-#else
-  real mip = mipFromRoughness(s.context.Roughness);
-#endif
+  real mip = captureMip(s.context.Roughness);
   if (kIsRefit) {
     direction = refitDirection(s.frame.N, s.frame.V, s.NoV, s.tap.lean);
     mip = s.tap.mip;
@@ -98,7 +94,7 @@ void addReflectedEnvironment(inout BasePass pass, inout Shaded s) {
     MobileFrame bent = s.microfacets.bent;
     RefitTap tap = refitTap(s.microfacets.readRoughness, s.microfacets.bentNoV);
     direction = kIsRefit ? refitDirection(bent.N, bent.V, s.microfacets.bentNoV, tap.lean) : bent.reflection;
-    mip = kIsRefit ? tap.mip : mipFromRoughness(s.microfacets.readRoughness);
+    mip = kIsRefit ? tap.mip : captureMip(s.microfacets.readRoughness);
   }
   s.readDirection = vec3(direction);
   s.readMip = mip;

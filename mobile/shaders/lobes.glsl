@@ -94,7 +94,7 @@ void addCoatReflection(inout BasePass pass, Layers l, real3 SkyDiffuseLighting, 
   real scale = captureScale(kCaptureScale, IndirectIrradiance, averageBrightnessOf(capture), l.coatRoughness, MaterialAO,
                             mixingOfView());
   real3 direction = l.coatFrame.reflection, lit = real3(R(0.0));
-  real mip = mipFromRoughness(l.coatRoughness), narrowE = l.coatE;
+  real mip = captureMip(l.coatRoughness), narrowE = l.coatE;
   if (kCoat == kCoatRefit) {
     direction = refitDirection(l.coatFrame.N, l.coatFrame.V, l.coatNoV, l.tap.lean);
     mip = l.tap.mip;

@@ -190,6 +190,15 @@ float averageBrightnessOf(uint capture) {
 
 MixingRange mixingOfView() { return MixingRange(view.path[kPathMixing].x, view.path[kPathMixing].y, view.path[kPathMixing].z); }
 
+// Of the capture, for what is not refit's own.
+real captureMip(real Roughness) {
+#ifdef PARITY_OWN_presetCaptureMip
+  return presetCaptureMip(Roughness);
+#else
+  return mipFromRoughness(Roughness);
+#endif
+}
+
 // One fetch of the capture, trilinear, from one lobe to one three times as wide; with kParallax of what is seen from here on
 // the walls of the capture's box.
 real3 fetchCapture(vec3 direction, real mip, uint capture) {

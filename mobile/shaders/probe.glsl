@@ -36,9 +36,9 @@ vec4 probe(ProbeCall call) {
 #endif
   if (call.function == kProbeMip)
 #ifdef PARITY_OWN_presetCaptureMip
-    return vec4(float(presetCaptureMip(real(call.roughness))));
+    return vec4(float(presetCaptureMip(real(max(call.roughness, kRoughnessFloor)))));
 #else
-    return vec4(float(mipFromRoughness(real(call.roughness))));
+    return vec4(float(mipFromRoughness(real(max(call.roughness, kRoughnessFloor)))));
 #endif
   if (call.function == kProbeEncode)
 #ifdef PARITY_OWN_presetEncode

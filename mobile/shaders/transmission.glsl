@@ -67,7 +67,7 @@ void addThroughEnvironment(inout BasePass pass, Through t, Resolved r, Point p, 
       Refraction body = throughSphere(frame.N32, frame.V32, r.ior, r.thickness, alpha);
       direction = body.outside;
       real spread = real(sqrt(alphaOfRefraction(alpha, r.ior, body.bending)));
-      mip = kEnvironmentBrdf == kEnvironmentBrdfRefit ? refitTap(spread, R(1.0)).mip : mipFromRoughness(spread);
+      mip = kEnvironmentBrdf == kEnvironmentBrdfRefit ? refitTap(spread, R(1.0)).mip : captureMip(spread);
       // What is reflected within leaves at one of the next surfaces: of a rough body as diffuse light from there, of a smooth
       // one, where that would lose the lamps, with the fetch.
       float reflected = reflectedWithin(alpha, r.ior, body.cosine);

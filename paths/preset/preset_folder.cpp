@@ -36,8 +36,10 @@ Registry& registry() {
 // "./mypreset" and "0123456789ab"; the hash is empty where there is none.
 std::pair<std::string, std::string> splitHash(const std::string& text) {
   const std::size_t at = text.rfind('@');
+  std::error_code none;
   const bool hasHash = at != std::string::npos && text.size() == at + 1 + kHashDigits &&
-                       text.find_first_not_of("0123456789abcdef", at + 1) == std::string::npos;
+                       text.find_first_not_of("0123456789abcdef", at + 1) == std::string::npos &&
+                       !std::filesystem::is_directory(text, none);
   std::string folder = hasHash ? text.substr(0, at) : text;
   while (folder.size() > 1 && folder.ends_with('/')) folder.pop_back();
   return {folder, hasHash ? text.substr(at + 1) : std::string()};
@@ -50,12 +52,13 @@ std::vector<PresetFolder::File> readFiles(const std::string& folder) {
                           std::filesystem::exists(folder, error) ? "is no folder; a preset is a folder with preset.toml"
                                                                  : "does not exist");
   std::vector<PresetFolder::File> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name != kSettings && !name.ends_with(".glsl")) continue;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    // Editors leave hidden files while they write.
+    if (name.starts_with('.') || (name != kSettings && !name.ends_with(".glsl"))) continue;
     if (files.size() == kMaxPresetFiles)
       throw base::fileError(folder, "", fmt::format("has more than {} files", kMaxPresetFiles));
-    files.push_back({name, base::readText(entry.path(), kMaxPresetFileBytes)});
+    files.push_back({name, base::readText(entry->path(), kMaxPresetFileBytes)});
   }
   if (error) throw base::fileError(folder, "", "cannot be listed: " + error.message());
   std::ranges::sort(files, {}, &PresetFolder::File::name);
@@ -89,7 +92,8 @@ std::string nearestOf(const std::string& name, const std::vector<std::string>& k
 } // namespace
 
 PresetFolder::PresetFolder(std::string folder, std::vector<File> files, const PresetHost& host)
-    : m_text(folder + "@" + hashOf(files)), m_folder(std::move(folder)), m_files(std::move(files)), m_host(host) {
+    : m_reference(folder + "@" + hashOf(files)), m_folder(std::move(folder)), m_files(std::move(files)), m_host(host) {
+  m_text = scenes::cleanName(std::filesystem::path(m_folder).filename().string()) + m_reference.substr(m_folder.size());
   const std::string* const settings = textOf(m_files, kSettings);
   if (!settings)
     throw base::fileError(m_folder, "", "has no preset.toml; 'parity preset new' writes a folder to start from");
@@ -133,8 +137,7 @@ void PresetFolder::findFunctions() {
   constexpr std::string_view kPrefix = "preset";
   std::vector<std::string> known;
   for (const PresetFunction& function : m_host.functions) known.push_back(function.name);
-  for (const File& file : m_files) {
-    if (!file.name.ends_with(".glsl")) continue;
+  for (const File& file : compiledFiles()) {
     for (const DefinedFunction& defined : definedFunctionsOf(file.text)) {
       if (!defined.name.starts_with(kPrefix)) continue;
       if (std::ranges::count(known, defined.name) == 0)
@@ -154,15 +157,25 @@ void PresetFolder::findFunctions() {
                                          std::pair("presetLocalLobe", "presetDirectLobe")})
     if (defines(function) && !defines(needed))
       throw base::fileError(m_folder + "/" + kFormulas, "",
-                            fmt::format("defines {} without {}, beside which alone it is read", function, needed));
+                            fmt::format("defines {} without {}, which must be defined, too", function, needed));
+}
+
+std::vector<PresetFolder::File> PresetFolder::compiledFiles() const {
+  std::vector<File> reached;
+  std::vector<std::string> names = {kFormulas};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string* const text = textOf(m_files, names[i]);
+    if (!text) continue;
+    reached.push_back({names[i], *text});
+    for (const std::string& included : includesOf(*text))
+      if (std::ranges::count(names, included) == 0) names.push_back(included);
+  }
+  return reached;
 }
 
 bool PresetFolder::defines(std::string_view function) const { return std::ranges::count(m_functions, function) > 0; }
 
-bool namesPresetFolder(const std::string& text) {
-  std::error_code none;
-  return text.find('/') != std::string::npos || std::filesystem::is_directory(splitHash(text).first, none);
-}
+bool namesPresetFolder(const std::string& text) { return text.find('/') != std::string::npos; }
 
 std::string pathOfPresetFolder(const std::string& text) {
   const std::string folder = splitHash(text).first, label = folder + "/" + kSettings;
@@ -181,7 +194,7 @@ std::shared_ptr<const PresetFolder> readPresetFolder(const std::string& text, co
     std::vector<PresetFolder::File> files = readFiles(folder);
     const std::string content = folder + "@" + hashOf(files);
     for (const auto& earlier : all.all)
-      if (earlier->text() == content && earlier->path() == host.path) preset = earlier;
+      if (earlier->reference() == content && earlier->path() == host.path) preset = earlier;
     if (!preset) {
       const std::shared_ptr<PresetFolder> made(new PresetFolder(folder, std::move(files), host));
       for (const ProgramMacros& macros : host.checked)
@@ -190,10 +203,10 @@ std::shared_ptr<const PresetFolder> readPresetFolder(const std::string& text, co
       all.all.push_back(preset);
     }
   }
-  if (!hash.empty() && preset->text() != folder + "@" + hash)
+  if (!hash.empty() && preset->reference() != folder + "@" + hash)
     throw base::fileError(folder, "",
                           fmt::format("has changed since the run began: its hash is {}, expected {}",
-                                      preset->text().substr(folder.size() + 1), hash));
+                                      preset->reference().substr(folder.size() + 1), hash));
   return preset;
 }
 

@@ -36,7 +36,7 @@ struct PresetHost {
 // Limits, so that a folder costs neither the machine nor its driver.
 inline constexpr std::size_t kMaxPresetFileBytes = 256 << 10, kMaxPresetFiles = 64;
 inline constexpr std::size_t kMaxPresetWords = 512 << 10;      // of a program's SPIR-V
-inline constexpr std::size_t kMaxPresetArrayElements = 4096;   // of an array of the shader's own
+inline constexpr std::size_t kMaxPresetArrayElements = 4096;   // of all arrays of the shader's own
 inline constexpr std::uint64_t kMaxPresetOperations = 100'000; // of a pixel, loops counted as often as they turn
 
 class PresetFolder {
@@ -45,9 +45,11 @@ public:
     std::string name, text; // in the folder
   };
 
-  // "./mypreset@0123456789ab": the folder as the user named it and the hash of what it holds. It names the preset
-  // wherever settings are written, so that it is part of every key.
+  // "mypreset@0123456789ab": the folder's name and the hash of what it holds. It names the preset wherever settings are
+  // written, so that its content is part of every key, and its place is not.
   const std::string& text() const { return m_text; }
+  // "./mypreset@0123456789ab": by which it is read again, with this content or not at all.
+  const std::string& reference() const { return m_reference; }
   const std::string& folder() const { return m_folder; }
   const std::string& path() const { return m_host.path; }
   const std::string& base() const { return m_base; }                        // the preset that it starts from
@@ -64,11 +66,12 @@ private:
   PresetFolder(std::string folder, std::vector<File> files, const PresetHost& host);
   void readSettings(const std::string& text);
   void findFunctions();
+  std::vector<File> compiledFiles() const; // preset.glsl, and what it includes
   void requireWithinLimits(const std::vector<std::uint32_t>& words, const ProgramMacros& macros) const;
   friend std::vector<std::uint32_t> compileProgram(const PresetHost&, const PresetFolder*, const ProgramMacros&,
                                                    const std::string&);
 
-  std::string m_text, m_folder, m_base;
+  std::string m_reference, m_text, m_folder, m_base;
   std::vector<File> m_files;
   const PresetHost& m_host;
   base::GivenKnobs m_knobs;
@@ -82,16 +85,16 @@ private:
 std::vector<std::uint32_t> compileProgram(const PresetHost& host, const PresetFolder* folder,
                                           const ProgramMacros& macros, const std::string& last = {});
 
-// Whether a value names a folder, not a built-in preset: it holds a '/', or such a folder is there.
+// Whether a value names a folder, not a built-in preset: it holds a '/'.
 bool namesPresetFolder(const std::string& text);
 // The path that the folder's preset.toml is for. Throws Error (failed).
 std::string pathOfPresetFolder(const std::string& text);
 
-// Reads the folder and compiles host.checked. text: a folder, or what text() gives: then its content must be the same.
+// Reads the folder and compiles host.checked. text: a folder, or a reference(): then its content must be the same.
 // A folder is read once in a process: what changes later does not change a run. host must outlive the process's use of
 // it. Throws Error (failed) with file, line and reason.
 std::shared_ptr<const PresetFolder> readPresetFolder(const std::string& text, const PresetHost& host);
-// Those that this process has read, of a path.
+// The folders of a path that this process has read.
 std::vector<std::shared_ptr<const PresetFolder>> readPresetFolders(const std::string& path);
 // The next readPresetFolder reads all again.
 void forgetPresetFolders();

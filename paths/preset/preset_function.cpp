@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <sstream>
 
 namespace parity::paths {
@@ -67,6 +68,15 @@ std::vector<PresetFunction> presetFunctionsOf(std::string_view declarations) {
     words.clear();
   }
   return all;
+}
+
+std::vector<std::string> includesOf(std::string_view glsl) {
+  static const std::regex include(R"(^[ \t]*#[ \t]*include[ \t]*["<]([^">\n]*)[">])", std::regex::multiline);
+  const std::string text(glsl);
+  std::vector<std::string> paths;
+  for (std::sregex_iterator found(text.begin(), text.end(), include), end; found != end; ++found)
+    paths.push_back((*found)[1]);
+  return paths;
 }
 
 std::vector<DefinedFunction> definedFunctionsOf(std::string_view glsl) {

@@ -24,6 +24,9 @@ std::vector<PresetFunction> presetFunctionsOf(std::string_view declarations);
 // The text with blanks in place of comments and of the preprocessor's lines; line feeds stay.
 std::string withoutComments(std::string_view text);
 
+// The paths of its #include directives.
+std::vector<std::string> includesOf(std::string_view glsl);
+
 // A definition of a function: `name(...) {`.
 struct DefinedFunction {
   std::string name;

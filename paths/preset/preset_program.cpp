@@ -17,26 +17,60 @@ namespace {
 
 using Binding = std::pair<std::uint32_t, std::uint32_t>; // set, binding
 
-std::set<Binding> bindingsOf(const gpu::SpirvModule& module) {
+// Each as often as it is declared: a second declaration may write where the path reads.
+std::multiset<Binding> bindingsOf(const gpu::SpirvModule& module) {
   std::map<std::uint32_t, Binding> of;
   for (const gpu::SpirvInstruction& i : module.instructions()) {
     if (i.opcode != spv::OpDecorate || i.operands.size() < 3) continue;
     if (i.operands[1] == spv::DecorationDescriptorSet) of[i.operands[0]].first = i.operands[2];
     if (i.operands[1] == spv::DecorationBinding) of[i.operands[0]].second = i.operands[2];
   }
-  std::set<Binding> all;
+  std::multiset<Binding> all;
   for (const auto& [id, binding] : of) all.insert(binding);
   return all;
 }
 
-// Elements of the largest array that the shader has memory of its own for.
-std::uint64_t largestArrayOf(const gpu::SpirvModule& module) {
-  std::uint64_t largest = 0;
-  for (const gpu::SpirvInstruction& i : module.instructions())
-    if (i.opcode == spv::OpTypeArray && i.operands.size() == 2)
-      largest = std::max(largest, static_cast<std::uint64_t>(
-                                      std::max<std::int64_t>(module.integerConstant(i.operands[1]).value_or(0), 0)));
-  return largest;
+std::size_t countOf(const gpu::SpirvModule& module, std::uint32_t opcode) {
+  return static_cast<std::size_t>(std::ranges::count(module.instructions(), opcode, &gpu::SpirvInstruction::opcode));
+}
+
+// Specialization constants, variables that a group shares, barriers.
+std::size_t countForbidden(const gpu::SpirvModule& module) {
+  std::size_t count = 0;
+  for (const gpu::SpirvInstruction& i : module.instructions()) {
+    count +=
+        i.opcode == spv::OpSpecConstant || i.opcode == spv::OpSpecConstantTrue || i.opcode == spv::OpSpecConstantFalse;
+    count += i.opcode == spv::OpControlBarrier || i.opcode == spv::OpMemoryBarrier;
+    count += i.opcode == spv::OpVariable && i.operands[0] == spv::StorageClassWorkgroup;
+  }
+  return count;
+}
+
+// Elements of a type, arrays in arrays multiplied.
+std::uint64_t elementsOf(const gpu::SpirvModule& module, std::uint32_t type) {
+  const gpu::SpirvInstruction* const i = module.find(type);
+  if (!i) return 1;
+  if (i->opcode == spv::OpTypeArray) {
+    const std::int64_t length = module.integerConstant(i->operands[1]).value_or(0);
+    return elementsOf(module, i->operands[0]) * static_cast<std::uint64_t>(std::max<std::int64_t>(length, 1));
+  }
+  if (i->opcode != spv::OpTypeStruct) return 1;
+  std::uint64_t sum = 0;
+  for (const std::uint32_t member : i->operands) sum += elementsOf(module, member);
+  return sum;
+}
+
+// Elements of all arrays that the shader has memory of its own for.
+std::uint64_t arrayElementsOf(const gpu::SpirvModule& module) {
+  std::uint64_t sum = 0;
+  for (const gpu::SpirvInstruction& i : module.instructions()) {
+    if (i.opcode != spv::OpVariable) continue;
+    if (i.operands[0] != spv::StorageClassPrivate && i.operands[0] != spv::StorageClassFunction) continue;
+    const gpu::SpirvInstruction* const pointer = module.find(i.type);
+    if (!pointer || pointer->operands.size() < 2) continue;
+    if (const std::uint64_t elements = elementsOf(module, pointer->operands[1]); elements > 1) sum += elements;
+  }
+  return sum;
 }
 
 // The line of the first word of a loop, from 1; 0: there is none.
@@ -65,29 +99,35 @@ void PresetFolder::requireWithinLimits(const std::vector<std::uint32_t>& words, 
     refuse(fmt::format("makes a program of {} words of SPIR-V, expected at most {}", words.size(), kMaxPresetWords));
   const gpu::Spirv builtIn = m_host.builtIn(macros);
   const gpu::SpirvModule own(words), before(std::vector<std::uint32_t>(builtIn.begin(), builtIn.end()));
-  const std::set<Binding> known = bindingsOf(before);
-  for (const auto& [set, binding] : bindingsOf(own))
-    if (!known.contains({set, binding}))
-      refuse(fmt::format("declares a resource (set {}, binding {}) that the path {} does not have", set, binding,
-                         m_host.path));
-  const std::uint64_t most = std::max<std::uint64_t>(largestArrayOf(before), kMaxPresetArrayElements);
-  if (largestArrayOf(own) > most)
-    refuse(fmt::format("has an array of {} elements, expected at most {}", largestArrayOf(own), most));
-  // A loop that does not end hangs a device, or the device cuts it off in silence.
-  for (const File& file : m_files) {
-    const std::size_t line = file.name.ends_with(".glsl") ? lineOfLoop(file.text) : 0;
-    if (line == 0) continue;
-    const gpu::ShaderCost cost = gpu::costOf(words, m_host.counted);
-    const auto refuseLoop = [&](const std::string& reason) {
-      throw base::fileError(m_folder + "/" + file.name, fmt::format("line {}", line), reason);
-    };
-    if (cost.openLoops > gpu::costOf(builtIn, m_host.counted).openLoops)
-      refuseLoop("a loop from here on has no number of turns that is known before it runs; use 'for' with constants");
-    if (cost.operations() > kMaxPresetOperations)
-      refuseLoop(fmt::format("with the loops from here on a pixel takes {} operations, expected at most {}",
-                             cost.operations(), kMaxPresetOperations));
-    return;
+  std::multiset<Binding> known = bindingsOf(before);
+  for (const auto& each : bindingsOf(own)) {
+    const auto found = known.find(each);
+    if (found == known.end())
+      refuse(fmt::format("declares a resource (set {}, binding {}) beside those of the path {}", each.first,
+                         each.second, m_host.path));
+    known.erase(found);
   }
+  if (countForbidden(own) > countForbidden(before))
+    refuse("has a specialization constant, a shared variable or a barrier, which presets must not have");
+  if (const std::uint64_t elements = arrayElementsOf(own), most = arrayElementsOf(before) + kMaxPresetArrayElements;
+      elements > most)
+    refuse(fmt::format("has arrays of {} elements, expected at most {}", elements - arrayElementsOf(before),
+                       kMaxPresetArrayElements));
+  // A loop that does not end hangs a device, or the device cuts it off in silence.
+  if (countOf(own, spv::OpLoopMerge) <= countOf(before, spv::OpLoopMerge)) return;
+  std::string file = "preset.glsl", place;
+  for (const File& each : compiledFiles())
+    if (const std::size_t line = lineOfLoop(each.text); line > 0 && place.empty())
+      file = each.name, place = fmt::format("line {}", line);
+  const gpu::ShaderCost cost = gpu::costOf(words, m_host.counted);
+  const auto refuseLoop = [&](const std::string& reason) {
+    throw base::fileError(m_folder + "/" + file, place, reason);
+  };
+  if (cost.openLoops > gpu::costOf(builtIn, m_host.counted).openLoops)
+    refuseLoop("a loop from here on has no number of turns that is known before it runs; use 'for' with constants");
+  if (cost.operations() > kMaxPresetOperations)
+    refuseLoop(fmt::format("with the loops from here on a pixel takes {} operations, expected at most {}",
+                           cost.operations(), kMaxPresetOperations));
 }
 
 std::vector<std::uint32_t> compileProgram(const PresetHost& host, const PresetFolder* folder,
@@ -102,13 +142,15 @@ std::vector<std::uint32_t> compileProgram(const PresetHost& host, const PresetFo
   root += "#include \"" + host.root + "\"\n";
   if (folder && !folder->functions().empty()) root += "#include \"preset.glsl\"\n";
   if (!last.empty()) root += "#include \"" + last + "\"\n";
+  std::size_t included = 0; // of the folder's own: a file may include itself
   const gpu::FindInclude find = [&](std::string_view path) -> std::optional<gpu::IncludedText> {
     for (const std::vector<gpu::ShaderText>* texts : {&gpu::sharedShaderTexts(), &host.texts})
       for (const gpu::ShaderText& text : *texts)
         if (text.path == path) return gpu::IncludedText{std::string(path), std::string(text.text)};
     if (folder)
       for (const PresetFolder::File& file : folder->m_files)
-        if (file.name == path) return gpu::IncludedText{folder->m_folder + "/" + file.name, file.text};
+        if (file.name == path && ++included <= kMaxPresetFiles)
+          return gpu::IncludedText{folder->m_folder + "/" + file.name, file.text};
     return std::nullopt;
   };
   try {
@@ -118,7 +160,7 @@ std::vector<std::uint32_t> compileProgram(const PresetHost& host, const PresetFo
     if (folder && error.reason().find("No function definition (body) found") != std::string::npos)
       for (const PresetFunction& function : host.functions) {
         if (error.reason().find(function.name + "(") == std::string::npos) continue;
-        for (const PresetFolder::File& file : folder->m_files)
+        for (const PresetFolder::File& file : folder->compiledFiles())
           for (const DefinedFunction& defined : definedFunctionsOf(file.text))
             if (defined.name == function.name)
               throw base::fileError(

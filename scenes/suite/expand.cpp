@@ -22,8 +22,9 @@ base::Error errorAt(const std::string& where, const std::string& reason) {
 }
 
 std::string wordOf(const base::Knob& knob, const base::GivenKnob& given) {
-  const bool isFolder = knob.takesFolder && given.value.at(0).find('/') != std::string::npos;
-  return knob.type == base::KnobType::file || isFolder ? stemOf(given.value.at(0))
+  if (const std::filesystem::path path(given.value.at(0)); knob.takesFolder && path.has_parent_path())
+    return (path.has_filename() ? path : path.parent_path()).filename().string();
+  return knob.type == base::KnobType::file ? stemOf(given.value.at(0))
                                            : fmt::format("{}", fmt::join(given.value, ", "));
 }
 

@@ -260,6 +260,7 @@ private:
                           base::KnobValue value, const Check& check) const {
     const bool isFolder = knob.takesFolder && value.at(0).find('/') != std::string::npos;
     if (knob.type == base::KnobType::file || isFolder) value = {resolve(value.at(0))};
+    if (isFolder && value.at(0).find('/') == std::string::npos) value = {"./" + value.at(0)}; // not a name
     try {
       check(knob, value);
     } catch (const base::KnobError& error) {

@@ -9,7 +9,6 @@
 #include "highend/options.h"
 #include "highend/table_brdf.h"
 #include "job/knobs.h"
-#include "mobile/approximate_brdf.h"
 #include "mobile/path.h"
 #include "mobile/sampled_brdf.h"
 #include "paths/preset/preset_folder.h"
@@ -21,10 +20,11 @@ namespace parity::presets {
 
 namespace {
 
-job::Settings settingsOf(const job::Settings& settings, const std::string& preset) {
-  base::GivenKnobs given;
+// The preset first, then what else is given.
+job::Settings settingsOf(const StudyRequest& request, const std::string& preset) {
+  base::GivenKnobs given = request.given;
   given[mobile::path().presetKnob()] = {{preset}, "study-preset"};
-  return job::withKnobs(settings, given);
+  return job::withKnobs(request.plain, given);
 }
 
 void addFunctions(PresetStudy& study, const gpu::Device& device, const job::Settings& settings, bool plots) {
@@ -84,7 +84,7 @@ std::vector<PresetStudy> studyPresets(job::Context& context, const StudyRequest&
     PresetStudy& study = studies.emplace_back();
     study.preset = preset;
     try {
-      const job::Settings settings = settingsOf(context.settings(), preset);
+      const job::Settings settings = settingsOf(request, preset);
       const auto& options = settings.options.of<mobile::Options>();
       study.preset = options.preset;
       if (options.own) study.base = options.own->base(), study.functions = options.own->functions();

@@ -50,7 +50,6 @@ struct PresetStudy {
   std::string preset;                 // as settings have it: "ue4-2020", "./mypreset@0123456789ab"
   std::string base;                   // of a folder
   std::vector<std::string> functions; // that the folder defines
-  bool hasEnvBrdf = false;
   std::vector<EnvBrdfError> envBrdf;
   std::vector<LobeError> lobe;
   std::vector<FunctionStress> stress;
@@ -65,6 +64,8 @@ struct StudyRequest {
   std::string scene = "builtin:materials";
   int size = 256;
   bool plots = true;
+  job::Settings plain;    // of the run, without any of its knobs
+  base::GivenKnobs given; // its knobs, but the preset
 };
 
 // A preset that fails is told with its reason, and the next one is studied. Throws Error (usage) for settings that no

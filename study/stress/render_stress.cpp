@@ -46,6 +46,13 @@ std::string valueOf(const paths::Path::KnobSet& set, const std::string& knob) {
   return {};
 }
 
+// As settings have it.
+std::string presetOf(const paths::Path& path, const paths::Path::KnobSet& set) {
+  const std::string knob = path.presetKnob(), value = knob.empty() ? "" : valueOf(set, knob);
+  if (value.empty()) return {};
+  return job::knobs().find(knob)->text(job::withKnobs({}, {{knob, {{value}, "--" + knob}}}));
+}
+
 } // namespace
 
 // One path with one set of its knobs.
@@ -66,7 +73,7 @@ void RenderStress::openDevices() {
     for (const paths::Path::KnobSet& set : setsOf(*path)) {
       Setup setup{.path = path,
                   .label = path->name() + (set.name.empty() ? "" : " " + set.name),
-                  .preset = valueOf(set, "mobile-preset"),
+                  .preset = presetOf(*path, set),
                   .half = valueOf(set, "precision") == "fp16",
                   .context = nullptr};
       const bool isWanted =

@@ -17,7 +17,8 @@ protected:
                    const std::string& toml = "base = \"ue4-2020\"\n") {
     std::filesystem::create_directories(m_folder / name);
     write(name + "/preset.toml", toml);
-    return write(name + "/preset.glsl", glsl).substr(0, path(name).size());
+    write(name + "/preset.glsl", glsl);
+    return path(name);
   }
   json diff(const std::vector<std::string>& more) {
     const std::string file = path("diff.json");
@@ -111,6 +112,10 @@ TEST_F(PresetTest, StandsWhereverAPresetMay) {
   const json whatIf = diff({"--what-if", folder});
   EXPECT_EQ(whatIf.at(0).at("whatIf").at(0).at("figures"), diff({"--mobile-preset", folder}).at(0).at("figures"));
   EXPECT_TRUE(contains(runParity({"report", "--help"}).out, "refit} or FOLDER"));
+  const RunResult wrong = runParity(
+      {"diff", "builtin:spheres", "--what-if", make("bad", "real presetCaptureMip(real r) {\n return s; }\n")});
+  EXPECT_EQ(wrong.exitCode, 4);
+  EXPECT_TRUE(contains(wrong.err, "bad/preset.glsl: line 2: 's'")) << wrong.err;
 }
 
 // A suite names it relative to its own folder; workers, plans and this process come to the same report.
@@ -149,6 +154,17 @@ TEST_F(PresetTest, WrongFormulasAreToldWithFileAndLine) {
   write("s.toml", "[[scene]]\nfile = \"builtin:spheres\"\nmobile_preset = \"./none\"\n");
   expectRefused(runParity({"report", "--suite", path("s.toml"), "-o", path("out")}), 4, {"none: does not exist"});
   EXPECT_EQ(runParity({"render", "builtin:spheres", "--path", "mobile", "-o", path("a.png"), "--watch"}).exitCode, 64);
+}
+
+// A suite that is named without a folder means the folder beside it, whatever presets are called.
+TEST_F(PresetTest, AFolderOfASuiteMayBeCalledAsAPreset) {
+  make("refit", "real presetCaptureMip(real Roughness) {\n  return Rougness;\n}\n");
+  write("s.toml", "[[scene]]\nfile = \"builtin:spheres\"\nmobile_preset = \"./refit\"\n");
+  RunOptions here;
+  here.workingFolder = path("");
+  const RunResult result = runParity({"suite", "list", "s.toml"}, here);
+  EXPECT_EQ(result.exitCode, 4);
+  EXPECT_TRUE(contains(result.err, "./refit/preset.glsl: line 2: 'Rougness'")) << result.err;
 }
 
 TEST_F(PresetTest, StressAndStudySayWhereItIsNan) {

@@ -12,9 +12,10 @@ namespace {
 constexpr const char* kFolders[] = {"job", "compare", "report", "study", "cli"};
 constexpr std::size_t kMostLines = 15;
 
-// The tables of what stress tries are about formulas, whose names they hold: mobileShadow, MobileMaterial.
+// The tables of what stress tries are about formulas, whose names they hold: mobileShadow, MobileMaterial. A study of
+// presets is one of a path's own functions.
 bool isCounted(const std::filesystem::path& file) {
-  static const std::regex formulas("study/stress/(function_)?table.*");
+  static const std::regex formulas("(study/stress/(function_)?table|study/preset/).*");
   return (file.extension() == ".cpp" || file.extension() == ".h") &&
          !std::regex_match(file.generic_string(), formulas) && !file.generic_string().starts_with("report/dashboard/");
 }

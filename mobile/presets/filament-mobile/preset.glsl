@@ -1,7 +1,6 @@
 // The formulas of Filament, Google's renderer, as it publishes them for phones.
 //
-// Sources: Romain Guy and Mathias Agopian, "Physically Based Rendering in Filament" (2018 and later;
-// docs/Filament.md.html). Shaders of google/filament: brdf.fs (now surface_brdf.fs), light_punctual.fs (now
+// Sources: Romain Guy and Mathias Agopian, "Physically Based Rendering in Filament" (2018 and later). Shaders of google/filament: brdf.fs (now surface_brdf.fs), light_punctual.fs (now
 // surface_light_punctual.fs), light_indirect.fs and common_material.fs. LightManager.cpp for the cone of spot lights.
 //
 // Deviations:
