@@ -37,6 +37,7 @@ paths::PresetHost makeHost() {
                          .root = "highend/shaders/highend.glsl",
                          .checked = {kPlain},
                          .counted = {0, ~0u, 0, 1, 1, 1},
+                         .unfolded = {},
                          .builtIn = builtIn};
   host.functions = paths::presetFunctionsOf(
       std::ranges::find(host.texts, "highend/shaders/preset.glsl", &gpu::ShaderText::path)->text);

@@ -223,6 +223,7 @@ void addVerdict(KnobTable<S>& t) {
            [](S& s, const std::string& text) { setWhatIfs(s, {text}); }, whatIfText)
           .otherwise("none")
           .actsOn(ActsOn::nothing)
+          .pinnedBy(pinnedWhatIfs)
           .notInSuite();
   whatIf.set = setWhatIfs;
   whatIf.knob.choices = presetsOfPaths();

@@ -31,7 +31,7 @@ inline constexpr std::array<const char*, 3> kAttributionNames = {"none", "over-b
 struct WhatIfPreset {
   std::string preset, path; // its name, and the path's
   paths::Options options;   // as that run's
-  std::string pinned = {};  // the text by which it is read again
+  std::string pinned;       // the text by which it is read again
 };
 
 struct Settings {

@@ -48,9 +48,15 @@ void setWhatIfs(Settings& settings, const base::KnobValue& value) {
                                    ? given
                                    : known[base::readChoice(given, known)];
       if (std::ranges::count(settings.whatIfs, name, &WhatIfPreset::preset) == 0)
-        settings.whatIfs.push_back({name, pathOfPreset(name)->name(), {}});
+        settings.whatIfs.push_back({name, pathOfPreset(name)->name(), {}, name});
       at = end + 1;
     }
+}
+
+std::string pinnedWhatIfs(const Settings& settings) {
+  std::vector<std::string> all;
+  for (const WhatIfPreset& each : settings.whatIfs) all.push_back(each.pinned);
+  return fmt::format("{}", fmt::join(all, ","));
 }
 
 std::string whatIfText(const Settings& settings) {
@@ -67,7 +73,7 @@ std::string whatIfText(const Settings& settings) {
 void deriveWhatIfs(Settings& settings, const Settings& plain, const base::GivenKnobs& given) {
   for (WhatIfPreset& each : settings.whatIfs) {
     Settings other = plain;
-    knobs().apply(other, base::merged(given, {{pathByName(each.path).folderKnob(), {{each.preset}, kOption}}}));
+    knobs().apply(other, base::merged(given, {{pathByName(each.path).folderKnob(), {{each.pinned}, kOption}}}));
     each.options = other.options;
     const paths::Path& path = pathByName(each.path);
     const auto& row = *path.knobs().find(path.folderKnob());

@@ -21,6 +21,8 @@ void setWhatIfs(Settings& settings, const base::KnobValue& value);
 
 // For the cache's key: the names, and all that each preset sets beside what else was given.
 std::string whatIfText(const Settings& settings);
+// The value by which they are read again, folders with their content.
+std::string pinnedWhatIfs(const Settings& settings);
 
 // Gives each the options that a run with that preset would have: what else was given stays. plain: the settings before
 // anything given.

@@ -60,6 +60,7 @@ paths::PresetHost makeHost() {
       .root = "mobile/shaders/mobile.glsl",
       .checked = {macrosOf({.precision = Precision::fp32}), macrosOf({.precision = Precision::fp16})},
       .counted = {0, ~0u, 0, 1, 1, 1, 0, 0, numberOf(EnvironmentBrdf::own), numberOf(DirectLobe::own)},
+      .unfolded = macrosOf({.precision = Precision::fp32, .lobes = true, .wide = true}),
       .builtIn = builtIn};
   for (const auto& row : knobs().rows())
     if (row.knob.isOption && row.knob.id != "mobile-preset") host.knobs.push_back(row.knob);

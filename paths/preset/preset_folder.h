@@ -30,6 +30,7 @@ struct PresetHost {
   std::string root;                       // the one with main(): "mobile/shaders/mobile.glsl"
   std::vector<ProgramMacros> checked;     // the programs that are compiled as soon as a folder is read
   std::vector<std::uint32_t> counted;     // specialization constants by which every function is called
+  ProgramMacros unfolded; // of the program whose knobs are data, so that none hides a loop; empty: there is none
   std::function<gpu::Spirv(const ProgramMacros&)> builtIn; // the path's program without a folder
 };
 

@@ -128,6 +128,8 @@ void PresetFolder::requireWithinLimits(const std::vector<std::uint32_t>& words, 
   if (cost.operations() > kMaxPresetOperations)
     refuseLoop(fmt::format("with the loops from here on a pixel takes {} operations, expected at most {}",
                            cost.operations(), kMaxPresetOperations));
+  if (!m_host.unfolded.empty() && macros == m_host.checked.front()) // once
+    requireWithinLimits(compileProgram(m_host, this, m_host.unfolded), m_host.unfolded);
 }
 
 std::vector<std::uint32_t> compileProgram(const PresetHost& host, const PresetFolder* folder,

@@ -79,7 +79,7 @@ const std::vector<Change> kChanges = {
     {"coverage", CHANGE(s.coverage = true)},
     {"dropped lights", CHANGE(s.droppedLights = 3)},
     {"costs", CHANGE(s.costs = true)},
-    {"what if", CHANGE(s.whatIfs.push_back({"refit", "mobile", {}}))},
+    {"what if", CHANGE(s.whatIfs.push_back({"refit", "mobile", {}, "refit"}))},
     {"specular anti-aliasing", CHANGE(s.specularAa = gpu::SpecularAa::toksvig)},
     {"shadow map size", CHANGE(s.shadowMaps.mapSize = 512)},
     {"shadow filter", CHANGE(s.shadowMaps.filter = 5)},

@@ -198,6 +198,10 @@ TEST_F(PresetFolderTest, IsRefusedBeyondTheLimits) {
       refusal(make("macro", "#define AGAIN while\n" + body("", "  real x = Roughness;\n  AGAIN (x >= R(0.0)) x = "
                                                                "x * R(0.5);\n  Roughness = x;"))),
       "has no number of turns that is known"));
+  EXPECT_TRUE(
+      contains(refusal(make("knob", body("", "  real x = Roughness;\n  if (kBaked != 0u) while (x >= R(0.0)) x = x * "
+                                             "R(0.5);\n  Roughness = x;"))),
+               "has no number of turns that is known"));
   EXPECT_TRUE(contains(refusal(make("nested", body("float big[4096][64];\n", "  big[int(Roughness)][1] = 1.0;"))),
                        "has arrays of 262144 elements"));
   EXPECT_TRUE(
