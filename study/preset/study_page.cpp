@@ -20,7 +20,7 @@ body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 72re
 h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2.2rem; }
 table { border-collapse: collapse; margin: .6rem 0; display: block; overflow-x: auto; }
 th, td { border-bottom: 1px solid var(--line); padding: .25rem .8rem .25rem 0; text-align: right; }
-th:first-child, td:first-child { text-align: left; }
+th:first-child, td:first-child { text-align: left; white-space: nowrap; }
 td.best { font-weight: 600; } td.bad { color: var(--bad); font-weight: 600; }
 img { max-width: 100%; background: #fff; } p.note { max-width: 46rem; } code { font-size: .95em; }
 </style></head><body>
@@ -46,7 +46,8 @@ std::string numbers(const std::string& head, const std::vector<double>& values, 
 
 std::vector<std::string> headOf(const std::vector<const PresetStudy*>& studies, const std::string& first) {
   std::vector<std::string> cells = {first};
-  for (const PresetStudy* study : studies) cells.push_back("<code>" + text(study->preset) + "</code>");
+  for (const PresetStudy* study : studies) // the hash stands below
+    cells.push_back("<code>" + text(study->preset.substr(0, study->preset.find('@'))) + "</code>");
   return cells;
 }
 
@@ -67,7 +68,8 @@ std::string errorTables(const std::vector<const PresetStudy*>& studies) {
     page += numbers(head + ", rms", valuesOf(studies, [&](const PresetStudy& s) { return s.envBrdf.at(i).rms; }), 4);
     page += numbers(head + ", max", valuesOf(studies, [&](const PresetStudy& s) { return s.envBrdf.at(i).max; }), 4);
   }
-  page += "</table>\n<h2>Light of one lamp against GGX</h2>\n<p class=\"note\">At F0 = 1 in fp32. Energy: reflected "
+  page += "</table>\n<h2>Light of one lamp against GGX</h2>\n<p class=\"note\">At F0 = 1 in fp32, against GGX with the "
+          "light that scatters more than once. Energy: reflected "
           "light over the truth's, whose best is 1. Rms: of the difference, over the truth's own.</p>\n<table>" +
           row(headOf(studies, "energy, root mean square"), "th");
   for (std::size_t i = 0; i < studies.front()->lobe.size(); ++i) {
