@@ -82,9 +82,11 @@ void deriveWhatIfs(Settings& settings, const Settings& plain, const base::GivenK
 }
 
 void requireWhatIfs(const Settings& settings) {
-  for (const auto& [preset, name, options, pinned] : settings.whatIfs) {
+  for (const WhatIfPreset& each : settings.whatIfs) {
+    const std::string& name = each.path;
+    const paths::Options& options = each.options;
     const auto refuse = [&](const std::string& reason) {
-      throw base::Error(base::ExitCode::usage, kOption, "", fmt::format("'{}' {}", preset, reason));
+      throw base::Error(base::ExitCode::usage, kOption, "", fmt::format("'{}' {}", each.preset, reason));
     };
     const std::vector<std::string>& compared = settings.pathNames;
     if (std::find(compared.begin() + 1, compared.end(), name) == compared.end())

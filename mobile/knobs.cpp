@@ -24,7 +24,7 @@ void setCaptureScale(Options& options, const std::string& text) {
       text == "none" ? CaptureScale::sky : static_cast<CaptureScale>(base::readChoice(text, captureScaleNames()));
 }
 
-void addLook(base::KnobTable<Options>& t) {
+void addPreset(base::KnobTable<Options>& t) {
   using base::KnobStage, base::KnobType;
   t.special(
        KnobType::choice, "mobile-preset", "", "Formulas of the mobile path",
@@ -41,6 +41,10 @@ void addLook(base::KnobTable<Options>& t) {
       .orFolder()
       .pinnedBy([](const Options& o) { return o.own ? o.own->reference() : o.preset; })
       .knob.choices = presetNames();
+}
+
+void addLook(base::KnobTable<Options>& t) {
+  using base::KnobStage, base::KnobType;
   t.choice<&Options::environmentBrdf>("environment-brdf", environmentBrdfNames(), "Mobile path: the environment BRDF")
       .titled("mobile environment BRDF")
       .costs(KnobStage::shading)
@@ -198,6 +202,7 @@ void addStorage(base::KnobTable<Options>& t) {
 base::KnobTable<Options> makeKnobs() {
   base::KnobTable<Options> t;
   t.section("Paths", {"mobile"});
+  addPreset(t);
   addLook(t);
   addShadows(t);
   t.number<&Options::roughnessFloor>("mobile-roughness-floor", 0, 1, "Mobile path: smallest roughness")

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "gpu/device/buffer.h"
 #include "gpu/device/device_choice.h"
 
 namespace parity::gpu {

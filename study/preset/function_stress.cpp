@@ -78,9 +78,9 @@ Domain falloff() {
                   return fmt::format("distance {:.3g} m, range {:.3g} m", c.x, c.y);
                 }};
   for (const float range : {0.f, 0.1f, 1.f, 10.f, 1000.f})
-    for (float distance = 1e-4f; distance < 2e4f; distance *= 1.5f) {
+    for (int i = 0; i < 48; ++i) { // to 2e4 m
       ProbeCall call = callOf(mobile::kProbeFalloff);
-      call.x = distance, call.y = range;
+      call.x = 1e-4f * std::pow(1.5f, static_cast<float>(i)), call.y = range;
       domain.calls.push_back(call);
     }
   domain.calls.push_back(callOf(mobile::kProbeFalloff)); // at the light itself
@@ -117,9 +117,9 @@ Domain encode() {
   Domain domain{.function = "encode", .results = 3, .calls = {}, .words = [](const ProbeCall& c) {
                   return fmt::format("colour {:.3g}, {:.3g}, {:.3g}", c.x, c.y, c.z);
                 }};
-  for (float value = 1e-8f; value < 65504; value *= 1.3f) {
+  for (int i = 0; i < 112; ++i) { // to 4e4
     ProbeCall call = callOf(mobile::kProbeEncode);
-    call.x = value, call.y = value * 0.5f, call.z = 0;
+    call.x = 1e-8f * std::pow(1.3f, static_cast<float>(i)), call.y = call.x * 0.5f, call.z = 0;
     domain.calls.push_back(call);
   }
   for (const float value : {0.f, 1.f, 65504.f}) {
