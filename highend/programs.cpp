@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/error.h"
 #include "highend/knobs.h"
 #include "highend_shaders/highend.comp.h"
 #include "highend_shaders/highend_lobes.comp.h"
@@ -19,21 +18,12 @@ gpu::Spirv builtIn(const paths::ProgramMacros& macros) {
   return macros.empty() ? gpu::Spirv(kHighendComp) : gpu::Spirv(kHighendLobesComp);
 }
 
-// The embedded texts that are templates of folders.
-std::vector<gpu::ShaderText> templatesOf() {
-  std::vector<gpu::ShaderText> templates;
-  for (const gpu::ShaderText& text : kHighendShaderTexts)
-    if (text.path.starts_with("highend/presets/")) templates.push_back(text);
-  return templates;
-}
-
 paths::PresetHost makeHost() {
   paths::PresetHost host{.path = "highend",
                          .bases = {},
                          .knobs = {},
                          .functions = {},
                          .texts = {std::begin(kHighendShaderTexts), std::end(kHighendShaderTexts)},
-                         .templates = templatesOf(),
                          .root = "highend/shaders/highend.glsl",
                          .checked = {kPlain},
                          .counted = {0, ~0u, 0, 1, 1, 1},
@@ -49,8 +39,7 @@ paths::PresetHost makeHost() {
 } // namespace
 
 gpu::Spirv programOf(const Options& options, bool lobes) {
-  const paths::ProgramMacros& macros = lobes ? kLobes : kPlain;
-  return options.own && !options.own->functions().empty() ? options.own->program(macros) : builtIn(macros);
+  return paths::programOf(presetHost(), options.own.get(), lobes ? kLobes : kPlain);
 }
 
 const paths::PresetHost& presetHost() {
@@ -62,11 +51,7 @@ Options optionsOfFolder(const std::string& text) {
   Options options;
   options.own = paths::readPresetFolder(text, presetHost());
   options.preset = options.own->text();
-  try {
-    knobs().apply(options, options.own->knobs());
-  } catch (const base::Error& error) {
-    throw base::fileError(error.subject(), error.place(), error.reason());
-  }
+  paths::applyKnobs(knobs(), options, *options.own);
   return options;
 }
 

@@ -41,14 +41,6 @@ std::string_view declarations() {
   return std::ranges::find(texts, "shading/mobile_preset.glsl", &gpu::ShaderText::path)->text;
 }
 
-// The embedded texts that are templates of folders.
-std::vector<gpu::ShaderText> templatesOf() {
-  std::vector<gpu::ShaderText> templates;
-  for (const gpu::ShaderText& text : kMobileShaderTexts)
-    if (text.path.starts_with("mobile/presets/")) templates.push_back(text);
-  return templates;
-}
-
 paths::PresetHost makeHost() {
   paths::PresetHost host{
       .path = "mobile",
@@ -56,7 +48,6 @@ paths::PresetHost makeHost() {
       .knobs = {},
       .functions = paths::presetFunctionsOf(declarations()),
       .texts = {std::begin(kMobileShaderTexts), std::end(kMobileShaderTexts)},
-      .templates = templatesOf(),
       .root = "mobile/shaders/mobile.glsl",
       .checked = {macrosOf({.precision = Precision::fp32}), macrosOf({.precision = Precision::fp16})},
       .counted = {0, ~0u, 0, 1, 1, 1, 0, 0, numberOf(EnvironmentBrdf::own), numberOf(DirectLobe::own)},
@@ -70,8 +61,7 @@ paths::PresetHost makeHost() {
 } // namespace
 
 gpu::Spirv programOf(const Options& options, const ProgramKind& kind) {
-  const paths::ProgramMacros macros = macrosOf(kind);
-  return options.own && !options.own->functions().empty() ? options.own->program(macros) : builtIn(macros);
+  return paths::programOf(presetHost(), options.own.get(), macrosOf(kind));
 }
 
 std::vector<std::uint32_t> probeProgramOf(const Options& options, Precision precision) {
@@ -103,11 +93,7 @@ Options optionsOfFolder(const std::string& text, const Options& plain) {
   if (const auto found = folder->knobs().find("direct-lobe");
       found != folder->knobs().end() && folder->defines("presetDirectLobe"))
     throw base::fileError(found->second.where, "", "has no effect beside presetDirectLobe; leave out one of them");
-  try {
-    knobs().apply(options, folder->knobs());
-  } catch (const base::Error& error) {
-    throw base::fileError(error.subject(), error.place(), error.reason());
-  }
+  paths::applyKnobs(knobs(), options, *folder);
   if (folder->defines("presetEnvironmentBrdf")) options.environmentBrdf = EnvironmentBrdf::own;
   if (folder->defines("presetDirectLobe")) options.directLobe = DirectLobe::own;
   return options;

@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/knob/knob.h"
+#include "base/error.h"
+#include "base/knob/table.h"
 #include "gpu/device/pipeline.h"
 #include "gpu/glsl/glsl_compiler.h"
 #include "paths/preset/preset_function.h"
@@ -21,15 +22,15 @@ using ProgramMacros = std::vector<std::string>;
 
 // What a path offers to preset folders.
 struct PresetHost {
-  std::string path;                       // its name: "mobile"
-  std::vector<std::string> bases;         // presets that a folder may start from; empty: it has none
-  std::vector<base::Knob> knobs;          // that a folder may set
-  std::vector<PresetFunction> functions;  // that it may define
-  std::vector<gpu::ShaderText> texts;     // of the path's own shaders
-  std::vector<gpu::ShaderText> templates; // files of folders to start from: "mobile/presets/NAME/preset.toml"
-  std::string root;                       // the one with main(): "mobile/shaders/mobile.glsl"
-  std::vector<ProgramMacros> checked;     // the programs that are compiled as soon as a folder is read
-  std::vector<std::uint32_t> counted;     // specialization constants by which every function is called
+  std::string path;                      // its name: "mobile"
+  std::vector<std::string> bases;        // presets that a folder may start from; empty: it has none
+  std::vector<base::Knob> knobs;         // that a folder may set
+  std::vector<PresetFunction> functions; // that it may define
+  std::vector<gpu::ShaderText>
+      texts;        // of its shaders, and of folders to start from ("mobile/presets/NAME/preset.glsl")
+  std::string root; // the one with main(): "mobile/shaders/mobile.glsl"
+  std::vector<ProgramMacros> checked; // the programs that are compiled as soon as a folder is read
+  std::vector<std::uint32_t> counted; // specialization constants by which every function is called
   ProgramMacros unfolded; // of the program whose knobs are data, so that none hides a loop; empty: there is none
   std::function<gpu::Spirv(const ProgramMacros&)> builtIn; // the path's program without a folder
 };
@@ -85,6 +86,18 @@ private:
 // (empty: none); no limit is checked. Throws Error (failed).
 std::vector<std::uint32_t> compileProgram(const PresetHost& host, const PresetFolder* folder,
                                           const ProgramMacros& macros, const std::string& last = {});
+
+// The folder's program, or the path's own where there is no folder (null) or it only sets knobs.
+gpu::Spirv programOf(const PresetHost& host, const PresetFolder* folder, const ProgramMacros& macros);
+
+// Sets the folder's knobs. Throws Error (failed) with the line of preset.toml.
+template <typename T> void applyKnobs(const base::KnobTable<T>& table, T& options, const PresetFolder& folder) {
+  try {
+    table.apply(options, folder.knobs());
+  } catch (const base::Error& error) {
+    throw base::fileError(error.subject(), error.place(), error.reason());
+  }
+}
 
 // Whether a value names a folder, not a built-in preset: it holds a '/'.
 bool namesPresetFolder(const std::string& text);

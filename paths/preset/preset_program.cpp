@@ -132,6 +132,10 @@ void PresetFolder::requireWithinLimits(const std::vector<std::uint32_t>& words, 
     requireWithinLimits(compileProgram(m_host, this, m_host.unfolded), m_host.unfolded);
 }
 
+gpu::Spirv programOf(const PresetHost& host, const PresetFolder* folder, const ProgramMacros& macros) {
+  return folder && !folder->functions().empty() ? folder->program(macros) : host.builtIn(macros);
+}
+
 std::vector<std::uint32_t> compileProgram(const PresetHost& host, const PresetFolder* folder,
                                           const ProgramMacros& macros, const std::string& last) {
   std::string root = "#version 460\n#extension GL_GOOGLE_include_directive : require\n";

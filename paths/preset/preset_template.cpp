@@ -19,11 +19,18 @@ std::pair<std::string, std::string> partsOf(std::string_view path) {
   return {std::string(path.substr(folder + 1, file - folder - 1)), std::string(path.substr(file + 1))};
 }
 
+std::vector<gpu::ShaderText> templateTexts(const PresetHost& host) {
+  std::vector<gpu::ShaderText> texts;
+  for (const gpu::ShaderText& text : host.texts)
+    if (text.path.starts_with(host.path + "/presets/")) texts.push_back(text);
+  return texts;
+}
+
 } // namespace
 
 std::vector<std::string> presetTemplates(const PresetHost& host) {
   std::vector<std::string> names;
-  for (const gpu::ShaderText& text : host.templates)
+  for (const gpu::ShaderText& text : templateTexts(host))
     if (const std::string name = partsOf(text.path).first; std::ranges::count(names, name) == 0) names.push_back(name);
   std::ranges::sort(names);
   return names;
@@ -39,7 +46,7 @@ void writePresetTemplate(const PresetHost& host, const std::string& name, const 
     throw base::Error(base::ExitCode::usage, "--from", name,
                       "unknown; " +
                           base::describeNearest(name, std::vector<std::string_view>(known.begin(), known.end())));
-  for (const gpu::ShaderText& text : host.templates)
+  for (const gpu::ShaderText& text : templateTexts(host))
     if (const auto [of, file] = partsOf(text.path); of == name)
       base::writeText(std::filesystem::path(folder) / file, text.text);
 }

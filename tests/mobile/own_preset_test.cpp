@@ -182,7 +182,63 @@ real3 presetEncode(real3 Color) { return Color * R(2.0); }
     other = folderOf(precision == Precision::fp16 ? "half2" : "single2", plain, "ue4-2020", precision);
     const tests::ShadedPoint without = shade(other);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(point.color[c], 2 * without.color[c], 2e-3 * point.color[c]);
+
+    // A spot light 3 m in front: d^2 for the distance, four times the cosine for the cone, 7 for the lobe.
+    scenes::Light spot;
+    spot.kind = scenes::LightKind::spot;
+    spot.position = {0, 0, 3};
+    spot.direction = {0, 0, -1};
+    const tests::ShadedPoint lamp = tests::shadeQuad(
+        device(), scene, [&](const gpu::SceneBuffers& buffers, const std::vector<gpu::BinKind>& kinds) {
+          return Renderer(device(), buffers, kinds, {.lights = {spot}, .terms = true}, options);
+        });
+    const glm::vec3 specular = lamp[shading::Term::localSpecular];
+    EXPECT_NEAR(specular.x, 7 * 9 * 4 / 3.14159f, 12); // d and the cosine are those of a pixel beside the axis
+    EXPECT_EQ(specular.x, specular.y);
+    EXPECT_EQ(specular.x, specular.z);
   }
+}
+
+// The base, the coat, brushed metal and glass all read the environment at the folder's mip.
+TEST_F(OwnPresetTest, ReadsTheEnvironmentAtTheFoldersMipOnEveryRoute) {
+  const std::string rough = "real presetCaptureMip(real Roughness) { return R(1.0); }\n";
+  gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 0);
+  const std::vector<glm::vec4> fine(6 * 4, glm::vec4(1)), coarse(6, glm::vec4(3)); // radiance by mip
+  const std::span<const std::byte> mips[] = {std::as_bytes(std::span{fine}), std::as_bytes(std::span{coarse})};
+  vk::SamplerCreateInfo info;
+  info.maxLod = VK_LOD_CLAMP_NONE;
+  sky.sampler = vk::raii::Sampler(device().handle(), info);
+  sky.cube = gpu::DeviceImage(
+      device(), {.format = vk::Format::eR32G32B32A32Sfloat, .width = 2, .height = 2, .mips = 2, .cube = true}, mips);
+  Options options = folderOf("rough", rough, "ue4-2020", Precision::fp32), plain = builtIn("ue4-2020", Precision::fp32);
+  for (Options* each : {&options, &plain}) {
+    each->capture = CaptureEncoding::fp16;
+    each->anisotropy = AnisotropyForm::bent;
+    each->transmission = TransmissionForm::refracted;
+  }
+  const auto lit = [&](const scenes::Scene& scene, const Options& with) {
+    return tests::shadeQuad(device(), scene,
+                            [&](const gpu::SceneBuffers& buffers, const std::vector<gpu::BinKind>& kinds) {
+                              return Renderer(device(), buffers, kinds, {.environment = &sky, .terms = true}, with);
+                            });
+  };
+  using shading::Term;
+  const auto expectThrice = [&](const char* route, Term term, const auto& change) {
+    scenes::Scene scene = tests::makeQuadScene();
+    scene.materials[0].baseColor = glm::vec4(1);
+    scene.materials[0].metallic = 1;
+    scene.materials[0].roughness = 0.01f; // the path's own mip is 0
+    change(scene.materials[0]);
+    const float own = lit(scene, options)[term].x, before = lit(scene, plain)[term].x;
+    EXPECT_GT(before, 0) << route;
+    EXPECT_NEAR(own, 3 * before, 1e-3f * own) << route;
+  };
+  expectThrice("base", Term::skySpecular, [](scenes::Material&) {});
+  expectThrice("coat", Term::coatSpecular, [](scenes::Material& m) { m.coat = 1; });
+  expectThrice("brushed metal", Term::skySpecular, [](scenes::Material& m) { m.anisotropy = 0.01f; });
+  expectThrice("glass", Term::transmission, [](scenes::Material& m) { m.metallic = 0, m.transmission = 1; });
+  expectThrice("thick glass", Term::transmission,
+               [](scenes::Material& m) { m.metallic = 0, m.transmission = 1, m.thickness = 0.1f; });
 }
 
 // The grid stands for the formula, whose own values are in double. Between its nodes the fit's cusp is cut off.

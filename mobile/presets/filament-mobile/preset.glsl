@@ -1,7 +1,8 @@
 // The formulas of Filament, Google's renderer, as it publishes them for phones.
 //
-// Sources: Romain Guy and Mathias Agopian, "Physically Based Rendering in Filament" (2018 and later). Shaders of google/filament: brdf.fs (now surface_brdf.fs), light_punctual.fs (now
-// surface_light_punctual.fs), light_indirect.fs and common_material.fs. LightManager.cpp for the cone of spot lights.
+// Sources: Romain Guy and Mathias Agopian, "Physically Based Rendering in Filament" (2018 and later). Shaders of
+// google/filament: brdf.fs (now surface_brdf.fs), light_punctual.fs (now surface_light_punctual.fs), light_indirect.fs
+// and common_material.fs. LightManager.cpp for the cone of spot lights.
 //
 // Deviations:
 // - The engine reads A and B from a table. The document names the analytic fit of Karis 2014 as an alternative where
