@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "job/context.h"
 #include "job/knobs.h"
@@ -99,23 +100,40 @@ void RenderStress::openDevices() {
     }
 }
 
-// The first says which pixels show which material.
+// The first says which pixels show which material. Each has a device of its own, so all are rendered at a time.
 SceneFrames RenderStress::render(const StressScene& scene, std::vector<Finding>& findings) {
-  SceneFrames frames;
+  struct Rendered {
+    PathFrame frame;
+    std::vector<base::PixelList> coverage;
+    std::vector<Finding> findings;
+  };
   const job::PreparedScene prepared = prepare(scene);
-  for (const Setup& setup : m_setups) {
-    job::Context& context = *setup.context;
-    job::SceneRenderer renderer(context, prepared, context.settings(), {.chosen = {setup.path}}, 1);
-    job::ViewFrames first = renderer.render(scene.camera), second = renderer.render(scene.camera);
-    const auto pathFrame = [&](job::ViewFrames& of) {
-      return PathFrame{
-          .path = setup.label, .preset = setup.preset, .half = setup.half, .frame = std::move(of.paths.front().frame)};
-    };
-    PathFrame frame = pathFrame(first);
-    for (const Finding& finding : checkSame(scene, frame, pathFrame(second))) findings.push_back(finding);
-    frames.paths.push_back(std::move(frame));
-    if (!first.coverage.empty()) frames.coverage = std::move(first.coverage);
-    context.device().checkValidation();
+  std::vector<Rendered> rendered(m_setups.size());
+  std::vector<std::function<void()>> tasks;
+  for (std::size_t i = 0; i < m_setups.size(); ++i)
+    tasks.push_back([&, i] {
+      const Setup& setup = m_setups[i];
+      job::Context& context = *setup.context;
+      job::SceneRenderer renderer(context, prepared, context.settings(), {.chosen = {setup.path}}, 1);
+      job::ViewFrames first = renderer.render(scene.camera), second = renderer.render(scene.camera);
+      const auto pathFrame = [&](job::ViewFrames& of) {
+        return PathFrame{.path = setup.label,
+                         .preset = setup.preset,
+                         .half = setup.half,
+                         .frame = std::move(of.paths.front().frame)};
+      };
+      PathFrame frame = pathFrame(first);
+      rendered[i] = {
+          .frame = {}, .coverage = std::move(first.coverage), .findings = checkSame(scene, frame, pathFrame(second))};
+      rendered[i].frame = std::move(frame);
+      context.device().checkValidation();
+    });
+  base::parallelInvoke(tasks);
+  SceneFrames frames;
+  for (Rendered& each : rendered) {
+    findings.insert(findings.end(), each.findings.begin(), each.findings.end());
+    frames.paths.push_back(std::move(each.frame));
+    if (!each.coverage.empty()) frames.coverage = std::move(each.coverage);
   }
   return frames;
 }

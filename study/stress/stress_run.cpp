@@ -1,11 +1,15 @@
 #include "study/stress/stress_run.h"
 
 #include <algorithm>
+#include <exception>
+#include <mutex>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/log.h"
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "base/text/error_words.h"
 #include "base/text/glob.h"
@@ -57,15 +61,71 @@ private:
   std::vector<std::uint64_t> m_seeds;
 };
 
-void stressFunctions(const std::vector<FunctionCase>& functions, const Options& options, const gpu::Device* device,
-                     Report& report, const Progress& progress, double share) {
-  for (std::size_t i = 0; i < functions.size(); ++i) {
-    if (progress) progress(functions[i].name, share * static_cast<double>(i) / static_cast<double>(functions.size()));
-    report.functions.push_back(stressFunction(functions[i], options.points, device));
-    for (const Finding& finding : findingsOf(report.functions.back())) report.findings.push_back(finding);
-    report.functionsMs += report.functions.back().timeMs;
-    base::logDetail(fmt::format("{}: {:.0f} ms", functions[i].name, report.functions.back().timeMs));
+// Devices that threads borrow: a device takes one thread's work.
+class DevicePool {
+public:
+  explicit DevicePool(const gpu::DeviceOptions& options) : m_options(options) { giveBack(open()); }
+
+  const gpu::DeviceReport& report() const { return m_report; }
+
+  std::unique_ptr<gpu::Device> take() {
+    {
+      const std::lock_guard lock(m_mutex);
+      if (!m_free.empty()) {
+        std::unique_ptr<gpu::Device> device = std::move(m_free.back());
+        m_free.pop_back();
+        return device;
+      }
+    }
+    return open();
   }
+  void giveBack(std::unique_ptr<gpu::Device> device) {
+    const std::lock_guard lock(m_mutex);
+    m_report = device->report();
+    m_free.push_back(std::move(device));
+  }
+
+private:
+  std::unique_ptr<gpu::Device> open() const { return std::make_unique<gpu::Device>(m_options); }
+
+  gpu::DeviceOptions m_options;
+  gpu::DeviceReport m_report;
+  std::mutex m_mutex;
+  std::vector<std::unique_ptr<gpu::Device>> m_free;
+};
+
+// devices: null where none is asked. Throws what the first function in the list that failed has thrown; the report has
+// those that did not fail.
+void stressFunctions(const std::vector<FunctionCase>& functions, const Options& options, DevicePool* devices,
+                     Report& report, const Progress& progress, double share) {
+  const base::Stopwatch watch(nullptr, "");
+  std::vector<std::optional<FunctionResult>> results(functions.size());
+  std::mutex mutex; // of the progress
+  std::size_t done = 0;
+  std::vector<std::function<void()>> tasks;
+  for (std::size_t i = 0; i < functions.size(); ++i)
+    tasks.push_back([&, i] {
+      std::unique_ptr<gpu::Device> device = devices ? devices->take() : nullptr;
+      results[i] = stressFunction(functions[i], options.points, device.get());
+      if (device) devices->giveBack(std::move(device));
+      base::logDetail(fmt::format("{}: {:.0f} ms", functions[i].name, results[i]->timeMs));
+      const std::lock_guard lock(mutex);
+      ++done;
+      if (progress) progress(functions[i].name, share * static_cast<double>(done) / static_cast<double>(tasks.size()));
+    });
+  std::exception_ptr failure;
+  try {
+    base::parallelInvoke(tasks);
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  for (std::optional<FunctionResult>& result : results) {
+    if (!result) continue;
+    for (const Finding& finding : findingsOf(*result)) report.findings.push_back(finding);
+    report.functions.push_back(std::move(*result));
+  }
+  report.functionsMs = watch.elapsedMs();
+  if (failure) std::rethrow_exception(failure);
 }
 
 void stressRenders(const Options& options, RenderStress& renders, const SceneSource& source, Report& report,
@@ -120,14 +180,14 @@ Report runStress(const Options& options, const Progress& progress) {
   }
   const std::vector<FunctionCase> functions =
       options.functions ? functionsNamed(options.functionGlob) : std::vector<FunctionCase>();
-  std::unique_ptr<gpu::Device> device;
+  std::optional<DevicePool> devices;
   if (options.functions && options.points.devicePoints > 0) {
-    device = std::make_unique<gpu::Device>(options.render.device);
-    report.deviceName = device->report().description();
-    if (!device->report().float16) report.halfSkipped = device->report().name + " has no shaderFloat16";
+    devices.emplace(options.render.device);
+    report.deviceName = devices->report().description();
+    if (!devices->report().float16) report.halfSkipped = devices->report().name + " has no shaderFloat16";
   }
   try {
-    stressFunctions(functions, options, device.get(), report, progress, share);
+    stressFunctions(functions, options, devices ? &*devices : nullptr, report, progress, share);
     if (options.renders) stressRenders(options, *renders, *source, report, progress, 1 - share);
   } catch (const std::exception& error) {
     report.failure = base::wordsOf(error);

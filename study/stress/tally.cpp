@@ -104,12 +104,12 @@ void Tally::merge(const Tally& other) {
   for (std::size_t i = 0; i < map.size(); ++i) map[i] = std::max(map[i], other.map[i]);
 }
 
-void countRow(const FunctionCase& function, Precision precision, std::uint64_t index, const Row& row,
+void countRow(const FunctionCase& function, Precision precision, std::uint64_t index, const Row& row, bool inside,
               const Result& result, const Result& reference, const Result* cpu, Tally& tally) {
   const auto exampleOf = [&](double value, int output) { return Example{value, output, index, row, {}}; };
   const bool finite =
       std::all_of(result.begin(), result.begin() + function.outputs, [](double value) { return std::isfinite(value); });
-  if (!function.domain.contains(row)) {
+  if (!inside) {
     ++tally.outside;
     if (finite) return;
     ++tally.outsideNotFinite;

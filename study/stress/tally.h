@@ -59,8 +59,9 @@ struct Tally {
   void merge(const Tally& other);
 };
 
-// One row: what came out, the reference at the same row, and (device) what the CPU got at equal precision, else null.
-void countRow(const FunctionCase& function, Precision precision, std::uint64_t index, const Row& row,
+// One row, in the domain or not: what came out, the reference at the same row, and (device) what the CPU got at equal
+// precision, else null.
+void countRow(const FunctionCase& function, Precision precision, std::uint64_t index, const Row& row, bool inside,
               const Result& result, const Result& reference, const Result* cpu, Tally& tally);
 
 // Two rows and a claim about them; both within the domain.

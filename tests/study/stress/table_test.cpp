@@ -162,7 +162,8 @@ TEST(StressTable, EveryWitnessShowsItsFailure) {
           EXPECT_TRUE(expected.region(row)) << function.name << ": " << expected.regionText;
           Tally tally(function);
           const Result out = evaluateRounded(precision, function.id, row);
-          countRow(function, precision, 0, row, out, evaluate64(function.id, row), nullptr, tally);
+          countRow(function, precision, 0, row, function.domain.contains(row), out, evaluate64(function.id, row),
+                   nullptr, tally);
           EXPECT_EQ(tally.faults[static_cast<std::size_t>(expected.fault)].rows, 1u)
               << function.name << " in " << nameOf(precision) << ": " << expected.regionText;
           ++witnesses;
