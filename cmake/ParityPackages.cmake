@@ -66,6 +66,7 @@ find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
 find_path(GLSLANG_INCLUDE_DIR glslang/SPIRV/spirv.hpp REQUIRED)
 find_package(glslang REQUIRED)
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(SPIRV_OPT spirv-opt REQUIRED)
 
 if(PARITY_TESTS)
   find_package(GTest REQUIRED)
