@@ -22,7 +22,9 @@ constexpr int kMaxCodeBits = 12; // four codes fit beside what is left of a byte
 // RFC 1951, 3.2.5: the least length of each symbol, and the bits behind it.
 constexpr std::array<std::uint16_t, 29> kLengths{3,  4,  5,  6,  7,  8,  9,  10, 11,  13,  15,  17,  19,  23, 27,
                                                  31, 35, 43, 51, 59, 67, 83, 99, 115, 131, 163, 195, 227, 258};
-constexpr int extraBits(std::size_t symbol) { return symbol < 8 || symbol == 28 ? 0 : static_cast<int>(symbol - 4) / 4; }
+constexpr int extraBits(std::size_t symbol) {
+  return symbol < 8 || symbol == 28 ? 0 : static_cast<int>(symbol - 4) / 4;
+}
 
 constexpr std::array<std::uint8_t, kLongestMatch + 1> makeLengthSymbols() {
   std::array<std::uint8_t, kLongestMatch + 1> symbols{};

@@ -43,7 +43,9 @@ std::array<HuffmanCode, N> makeHuffmanCodes(const std::array<std::uint32_t, N>& 
   std::array<std::uint8_t, N> depths{};
   const std::size_t limit = static_cast<std::size_t>(maxLength);
   for (std::size_t node = used - 1; node-- > 0;)
-    depths[node] = node + 2 == used ? 0 : static_cast<std::uint8_t>(std::min<std::size_t>(depths[parents[N + node] - N] + 1u, kLongest));
+    depths[node] = node + 2 == used
+                       ? 0
+                       : static_cast<std::uint8_t>(std::min<std::size_t>(depths[parents[N + node] - N] + 1u, kLongest));
   for (std::size_t i = 0; i < used; ++i)
     ++lengths[used == 1 ? 1 : std::min<std::size_t>(depths[parents[i] - N] + 1u, limit)];
   std::uint32_t total = 0;

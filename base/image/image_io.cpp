@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/image/exr_check.h"
+#include "base/image/exr_read.h"
 #include "base/image/hdr_header.h"
 #include "base/image/image_format.h"
 #include "base/image/image_module.h"
@@ -180,7 +181,10 @@ ImageFile readImageFile(const fs::path& file, const ImageLimits& limits) {
   if (format == ImageFormat::webp) return readWebp(readFile(file), source.name, limits);
   if (format == ImageFormat::pfm) return describePfm(readPfm(file, limits));
   if (format == ImageFormat::png)
-    if (const auto samples = readPng(png, limits.maxBytes, sizeof(float))) return {toImage(*samples), samples->info};
+    if (const auto samples = readPng(png, PngUse::described, limits.maxBytes, sizeof(float)))
+      return {toImage(*samples), samples->info};
+  if (format == ImageFormat::exr)
+    if (std::optional<ImageFile> read = readExr(readFile(file), limits)) return std::move(*read);
   return imageModule().read(source);
 }
 
@@ -197,7 +201,8 @@ BasicImage<std::uint32_t> readIntegers(const fs::path& file, const ImageLimits& 
   const auto [format, source, png] = checkFile(file, limits);
   if (format == ImageFormat::pfm) throw fileError(source.name, "", "holds floats, not integers");
   if (format == ImageFormat::png)
-    if (const auto samples = readPng(png, limits.maxBytes, sizeof(std::uint32_t))) return toIntegers(*samples);
+    if (const auto samples = readPng(png, PngUse::samplesOnly, limits.maxBytes, sizeof(std::uint32_t)))
+      return toIntegers(*samples);
   if (format != ImageFormat::webp) return imageModule().readIntegers(source);
   const Image8 stored = decodeWebp(readFile(file), source.name, 4, limits);
   BasicImage<std::uint32_t> wide(stored.width, stored.height, stored.channels);
@@ -210,7 +215,8 @@ Image8 readImage8(const fs::path& file, int channels, const ImageLimits& limits)
   const auto [format, source, png] = checkFile(file, limits);
   if (format == ImageFormat::webp) return decodeWebp(readFile(file), source.name, channels, limits);
   if (format == ImageFormat::png)
-    if (const auto samples = readPng(png, limits.maxBytes, 1, channels)) return toImage8(*samples, channels);
+    if (const auto samples = readPng(png, PngUse::samplesOnly, limits.maxBytes, 1, channels))
+      return toImage8(*samples, channels);
   return imageModule().read8(source, channels);
 }
 
@@ -223,7 +229,8 @@ Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, i
   if (format == ImageFormat::jpeg) readJpegShape(bytes, name, limits);
   checkPng(bytes, name, limits);
   if (format == ImageFormat::png)
-    if (const auto samples = readPng(bytes, limits.maxBytes, 1, channels)) return toImage8(*samples, channels);
+    if (const auto samples = readPng(bytes, PngUse::samplesOnly, limits.maxBytes, 1, channels))
+      return toImage8(*samples, channels);
   checkExr(bytes, bytes.size(), name);
   return imageModule().read8({.name = name, .format = readerOf(format), .bytes = bytes, .limits = limits}, channels);
 }
@@ -237,6 +244,8 @@ ImageFile decodeRadiance(std::span<const std::byte> bytes, const std::string& na
   checkExr(bytes, bytes.size(), name);
   ImageSource source{.name = name, .format = readerOf(*format), .bytes = bytes, .limits = limits};
   source.limits.maxPixels = std::min(limits.maxPixels, kMaxRadiancePixels);
+  if (*format == ImageFormat::exr)
+    if (std::optional<ImageFile> read = readExr(bytes, source.limits)) return std::move(*read);
   if (imageModule().readShape(source).integer)
     throw fileError(name, "",
                     "holds integers, so it is not an HDR environment; give a .hdr, .exr or .pfm file of floats");
@@ -250,8 +259,7 @@ bool isIntegerImage(const fs::path& file) { return readImageShape(file).integer;
 void writeImage(const fs::path& file, const Image& image, const WriteOptions& options) {
   checkWritable(file, image, options);
   if (extensionOf(file) == ".pfm") return writePfm(file, image);
-  if (extensionOf(file) == ".png")
-    return writeBytes(file, encodePng(roundTo8(image), options.pngCompression));
+  if (extensionOf(file) == ".png") return writeBytes(file, encodePng(roundTo8(image), options.pngCompression));
   writeBytes(file, imageModule().encode(file, image, options));
 }
 

@@ -120,9 +120,11 @@ void filterByPaeth(const std::uint8_t* row, const std::uint8_t* above, std::size
   std::size_t i = 0;
   for (; i < pixel; ++i) out[i] = static_cast<std::uint8_t>(row[i] - above[i]); // nothing is left of it
   for (; i + 8 <= size; i += 8)
-    store<8>(load<8>(row + i) - predict(load<8>(row + i - pixel), load<8>(above + i), load<8>(above + i - pixel)), out + i);
+    store<8>(load<8>(row + i) - predict(load<8>(row + i - pixel), load<8>(above + i), load<8>(above + i - pixel)),
+             out + i);
   for (; i < size; ++i)
-    store<1>(load<1>(row + i) - predict(load<1>(row + i - pixel), load<1>(above + i), load<1>(above + i - pixel)), out + i);
+    store<1>(load<1>(row + i) - predict(load<1>(row + i - pixel), load<1>(above + i), load<1>(above + i - pixel)),
+             out + i);
 }
 
 void unfilterRow(PngFilter filter, std::uint8_t* row, const std::uint8_t* above, std::size_t size, int pixelBytes) {

@@ -45,7 +45,9 @@ bool hasWholeWindow(std::string_view data, std::size_t size) {
   constexpr int kLeastBits = 8;
   return data.size() >= 2 && size <= std::size_t{1} << (kLeastBits + (static_cast<unsigned char>(data[0]) >> 4));
 }
-bool hasLargestWindow(std::string_view data) { return data.size() >= 2 && static_cast<unsigned char>(data[0]) >> 4 == 7; }
+bool hasLargestWindow(std::string_view data) {
+  return data.size() >= 2 && static_cast<unsigned char>(data[0]) >> 4 == 7;
+}
 
 } // namespace
 

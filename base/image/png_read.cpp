@@ -88,20 +88,22 @@ std::span<const png_text> textsOf(png_structp png, png_infop info) {
   return {texts, static_cast<std::size_t>(std::max(count, 0))};
 }
 
-// Of some names it reads more than we do.
-bool needsLibrary(png_structp png, png_infop info) {
-  constexpr std::array kNames{"Orientation",
-                              "chromaticities",
-                              "textureformat",
-                              "tiff:PhotometricInterpretation",
-                              "oiio:BitsPerSample",
-                              "XML:com.adobe.xmp",
-                              "Raw profile type exif"};
-  for (const png_text& text : textsOf(png, info))
-    if (std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return isNamed(text, name); })) return true;
+bool hasText(png_structp png, png_infop info, std::span<const char* const> names) {
+  const std::span<const png_text> texts = textsOf(png, info);
+  return std::any_of(texts.begin(), texts.end(), [&](const png_text& text) {
+    return std::any_of(names.begin(), names.end(), [&](const char* name) { return isNamed(text, name); });
+  });
+}
+
+// By these the library refuses a picture, or describes it; the samples it reads whatever they say.
+bool needsLibrary(png_structp png, png_infop info, PngUse use) {
+  constexpr std::array kRefusing{"tiff:PhotometricInterpretation", "oiio:BitsPerSample"};
+  constexpr std::array kDescribing{"Orientation", "chromaticities", "textureformat", "XML:com.adobe.xmp",
+                                   "Raw profile type exif"};
   png_uint_32 exifBytes = 0;
   png_bytep exif = nullptr;
-  return png_get_eXIf_1(png, info, &exifBytes, &exif) != 0;
+  return hasText(png, info, kRefusing) || (use == PngUse::described && (hasText(png, info, kDescribing) ||
+                                                                        png_get_eXIf_1(png, info, &exifBytes, &exif)));
 }
 
 bool isDeclaredLinear(png_structp png, png_infop info) {
@@ -149,13 +151,13 @@ template <typename T, typename Make> BasicImage<T> convert(const PngSamples& sam
 
 } // namespace
 
-std::optional<PngSamples> readPng(std::span<const std::byte> bytes, std::size_t maxBytes, std::size_t valueBytes,
-                                  int channels) {
+std::optional<PngSamples> readPng(std::span<const std::byte> bytes, PngUse use, std::size_t maxBytes,
+                                  std::size_t valueBytes, int channels) {
   const Decoder decoder(bytes);
   if (!decoder.isReady() || !readHeader(decoder.png(), decoder.info())) return std::nullopt;
   png_structp png = decoder.png();
   png_infop info = decoder.info();
-  if (needsLibrary(png, info)) return std::nullopt;
+  if (needsLibrary(png, info, use)) return std::nullopt;
 
   PngSamples samples;
   samples.width = static_cast<int>(png_get_image_width(png, info));
@@ -177,7 +179,8 @@ std::optional<PngSamples> readPng(std::span<const std::byte> bytes, std::size_t 
   // The header as it is stored tells whether the rows lie in the file as they are wanted.
   const auto depth = static_cast<int>(bytes[24]), colorType = static_cast<int>(bytes[25]);
   constexpr std::array kChannels{1, 0, 3, 0, 2, 0, 4};
-  if (!isInterlaced && depth == samples.info.bits && kChannels[static_cast<std::size_t>(colorType)] == samples.channels &&
+  if (!isInterlaced && depth == samples.info.bits &&
+      kChannels[static_cast<std::size_t>(colorType)] == samples.channels &&
       inflatePngRows(bytes, rows, rowBytes, samples.channels * sampleBytes))
     return samples;
   std::vector<png_bytep> starts(height);

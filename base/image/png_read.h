@@ -22,15 +22,17 @@ struct PngSamples {
   const std::uint8_t* row(int y) const { return bytes.get() + first + rowBytes * static_cast<std::size_t>(y); }
 };
 
-// Reads a file that checkPng() (png_check.h) has let pass. Nothing where the image library has to read it or to say
-// what is wrong: damage, more than maxBytes, metadata that only the library reads. What is returned is what the library
-// would read. valueBytes, channels: what the caller makes of each value, and how many channels (0: all), to be counted
-// against maxBytes.
-std::optional<PngSamples> readPng(std::span<const std::byte> bytes, std::size_t maxBytes, std::size_t valueBytes,
-                                  int channels = 0);
+enum class PngUse { described, samplesOnly }; // info is complete or not
 
-Image toImage(const PngSamples& samples);                            // stored / maximum
-Image8 toImage8(const PngSamples& samples, int channels);            // as readImage8() says
-BasicImage<std::uint32_t> toIntegers(const PngSamples& samples);     // as stored
+// Reads a file that checkPng() (png_check.h) has let pass. Nothing where the image library has to read it or to say
+// what is wrong: damage, more than maxBytes, a description that only the library reads (EXIF, XMP). What is returned is
+// what the library would read. valueBytes, channels: what the caller makes of each value, and how many channels (0:
+// all), to be counted against maxBytes.
+std::optional<PngSamples> readPng(std::span<const std::byte> bytes, PngUse use, std::size_t maxBytes,
+                                  std::size_t valueBytes, int channels = 0);
+
+Image toImage(const PngSamples& samples);                        // stored / maximum
+Image8 toImage8(const PngSamples& samples, int channels);        // as readImage8() says
+BasicImage<std::uint32_t> toIntegers(const PngSamples& samples); // as stored
 
 } // namespace parity::base
