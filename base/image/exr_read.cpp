@@ -16,9 +16,14 @@ namespace {
 
 constexpr int kBandLines = 256; // a file that ends early has memory touched for no more than it holds
 
+struct Source {
+  std::span<const std::byte> head; // or all
+  std::size_t fileBytes;
+};
+
 std::int64_t read(exr_const_context_t /*file*/, void* user, void* to, std::uint64_t size, std::uint64_t offset,
                   exr_stream_error_func_ptr_t /*fail*/) {
-  const auto& bytes = *static_cast<const std::span<const std::byte>*>(user);
+  const std::span<const std::byte> bytes = static_cast<const Source*>(user)->head;
   if (offset > bytes.size()) return -1;
   const std::size_t count = std::min<std::size_t>(size, bytes.size() - offset); // of a header it asks for 4 KiB
   std::memcpy(to, bytes.data() + offset, count);
@@ -26,7 +31,7 @@ std::int64_t read(exr_const_context_t /*file*/, void* user, void* to, std::uint6
 }
 
 std::int64_t sizeOf(exr_const_context_t /*file*/, void* user) {
-  return static_cast<std::int64_t>(static_cast<const std::span<const std::byte>*>(user)->size());
+  return static_cast<std::int64_t>(static_cast<const Source*>(user)->fileBytes);
 }
 
 // The image library says what is wrong.
@@ -34,10 +39,10 @@ void ignore(exr_const_context_t /*file*/, exr_result_t /*code*/, const char* /*m
 
 class ExrFile {
 public:
-  explicit ExrFile(std::span<const std::byte> bytes) : m_bytes(bytes) {
+  explicit ExrFile(const Source& source) : m_source(source) {
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
     start.error_handler_fn = ignore;
-    start.user_data = &m_bytes;
+    start.user_data = &m_source;
     start.read_fn = read;
     start.size_fn = sizeOf;
     start.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_SILENT_HEADER_PARSE |
@@ -53,7 +58,7 @@ public:
   exr_const_context_t get() const { return m_file; }
 
 private:
-  std::span<const std::byte> m_bytes;
+  Source m_source;
   exr_context_t m_file = nullptr;
 };
 
@@ -154,6 +159,13 @@ public:
 
   Image take() { return std::move(m_image); }
 
+  // Whether the table of the chunks is whole, which the image library reads when it opens a file.
+  bool hasChunks() {
+    exr_chunk_info_t chunk{};
+    Place place;
+    return findLayout() && findChunk(0, chunk, place);
+  }
+
 private:
   std::size_t lineValues() const { return static_cast<std::size_t>(m_header.width) * m_header.channels.size(); }
   float* at(int x, int y) {
@@ -220,13 +232,24 @@ private:
 } // namespace
 
 std::optional<ImageFile> readExr(std::span<const std::byte> bytes, const ImageLimits& limits) {
-  const ExrFile file(bytes);
+  const ExrFile file({bytes, bytes.size()});
   if (!file.get()) return std::nullopt;
   const std::optional<ExrHeader> header = readExrHeader(file.get(), limits);
   if (!header) return std::nullopt;
   Reading reading(file.get(), *header);
   if (!reading.run()) return std::nullopt;
   return ImageFile{reading.take(), header->info};
+}
+
+std::optional<ImageShape> readExrShape(std::span<const std::byte> head, std::size_t fileBytes,
+                                       const ImageLimits& limits) {
+  const ExrFile file({head, fileBytes});
+  if (!file.get()) return std::nullopt;
+  ImageLimits shapeOnly = limits;
+  shapeOnly.maxBytes = ImageLimits{}.maxBytes;
+  const std::optional<ExrHeader> header = readExrHeader(file.get(), shapeOnly);
+  if (!header || !Reading(file.get(), *header).hasChunks()) return std::nullopt;
+  return ImageShape{header->width, header->height, static_cast<int>(header->channels.size()), false};
 }
 
 } // namespace parity::base

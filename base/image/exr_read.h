@@ -14,4 +14,8 @@ namespace parity::base {
 // say what is wrong. What is returned is what that library would read.
 std::optional<ImageFile> readExr(std::span<const std::byte> bytes, const ImageLimits& limits);
 
+// How large the picture of such a file is. head: the first bytes of the file, or all; fileBytes: of the whole file.
+std::optional<ImageShape> readExrShape(std::span<const std::byte> head, std::size_t fileBytes,
+                                       const ImageLimits& limits);
+
 } // namespace parity::base

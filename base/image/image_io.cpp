@@ -194,6 +194,8 @@ ImageShape readImageShape(const fs::path& file, const ImageLimits& limits) {
   if (format == ImageFormat::jpeg) return readJpegShape(readFile(file), source.name, limits);
   if (format == ImageFormat::pfm) return readPfmShape(readHead(file), source.name, limits);
   if (format == ImageFormat::webp) return readWebpShape(readHead(file), source.name, limits);
+  if (format == ImageFormat::exr)
+    if (const auto shape = readExrShape(readHead(file), regularFileSize(file), limits)) return *shape;
   return imageModule().readShape(source);
 }
 

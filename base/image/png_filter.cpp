@@ -62,7 +62,7 @@ Lanes choose(Lanes mask, Lanes yes, Lanes no) { return (mask & yes) | (~mask & n
 template <int N> void undoSub(std::uint8_t* row, std::size_t size) {
   Lanes left{};
   for (std::size_t i = 0; i + N <= size; i += N) {
-    left = left + load<N>(row + i);
+    left = (left + load<N>(row + i)) & 255;
     store<N>(left, row + i);
   }
 }

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <optional>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -72,19 +73,27 @@ bool expectAsLibrary(const std::filesystem::path& file, std::span<const std::byt
   const std::size_t noLimit = ImageLimits{}.maxBytes;
   std::optional<ImageFile> ours;
   std::optional<PngSamples> samples;
+  std::optional<ImageShape> shape;
   if (isPng) {
     samples = readPng(bytes, PngUse::samplesOnly, noLimit, 4);
     if (const auto described = readPng(bytes, PngUse::described, noLimit, 4))
       ours = ImageFile{toImage(*described), described->info};
   } else {
     ours = readExr(bytes, {});
+    shape = readExrShape(bytes, bytes.size(), {});
   }
   if (own == OwnReader::reads) {
     EXPECT_TRUE(ours.has_value());
   }
-  if (!ours && !samples) return false;
+  if (!ours && !samples && !shape) return false;
   const ImageSource source{.name = file.string(), .format = isPng ? "png" : "openexr", .bytes = bytes};
   try {
+    if (shape) {
+      const ImageShape theirs = library().readShape(source);
+      EXPECT_EQ(std::tie(shape->width, shape->height, shape->channels, shape->integer),
+                std::tie(theirs.width, theirs.height, theirs.channels, theirs.integer));
+    }
+    if (!ours && !samples) return false;
     const ImageFile theirs = library().read(source);
     if (ours) expectSame(ours->info, theirs.info);
     if (ours) expectSame(ours->pixels, theirs.pixels, "readImageFile()");
