@@ -36,6 +36,10 @@ foreach(target OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util)
   endforeach()
 endforeach()
 
+# Of OpenEXR only its core in C, which needs neither Imath nor threads; the config finds them all.
+find_path(OPENEXR_INCLUDE_DIR openexr.h PATH_SUFFIXES OpenEXR REQUIRED)
+find_library(OPENEXR_CORE_LIBRARY OpenEXRCore REQUIRED)
+
 # OpenColorIO's config is broken there: it names targets that no package defines.
 find_path(OPENCOLORIO_INCLUDE_DIR OpenColorIO/OpenColorIO.h REQUIRED)
 find_library(OPENCOLORIO_LIBRARY OpenColorIO REQUIRED)

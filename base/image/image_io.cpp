@@ -15,12 +15,14 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/image/exr_check.h"
+#include "base/image/exr_read.h"
 #include "base/image/hdr_header.h"
 #include "base/image/image_format.h"
 #include "base/image/image_module.h"
 #include "base/image/jpeg_header.h"
 #include "base/image/pfm.h"
 #include "base/image/png_check.h"
+#include "base/image/png_read.h"
 #include "base/image/png_write.h"
 #include "base/image/webp.h"
 #include "base/module_file.h"
@@ -104,16 +106,20 @@ ImageFormat requireFormat(std::span<const std::byte> head, const std::string& na
 struct CheckedFile {
   ImageFormat format;
   ImageSource source;
+  std::vector<std::byte> png; // the whole file, if it is one
 };
 
 CheckedFile checkFile(const fs::path& file, const ImageLimits& limits, bool isRead = true) {
   const std::string name = file.string();
-  const std::vector<std::byte> head = readHead(file);
+  std::vector<std::byte> head = readHead(file), png;
   const ImageFormat format = requireFormat(head, name, extensionOf(file));
-  if (format == ImageFormat::png && isRead) checkPng(readFile(file), name, limits);
+  if (format == ImageFormat::png && isRead) {
+    png = head.size() == regularFileSize(file) ? std::move(head) : readFile(file);
+    checkPng(png, name, limits);
+  }
   if (format == ImageFormat::exr) checkExr(head, regularFileSize(file), name);
   if (format == ImageFormat::jpeg) readJpegShape(readFile(file), name, limits);
-  return {format, {.name = name, .format = readerOf(format), .limits = limits}};
+  return {format, {.name = name, .format = readerOf(format), .limits = limits}, std::move(png)};
 }
 
 ImageFile describePfm(Image pixels) {
@@ -171,24 +177,34 @@ Image8 roundTo8(const Image& image) {
 Image readImage(const fs::path& file, const ImageLimits& limits) { return readImageFile(file, limits).pixels; }
 
 ImageFile readImageFile(const fs::path& file, const ImageLimits& limits) {
-  const auto [format, source] = checkFile(file, limits);
+  const auto [format, source, png] = checkFile(file, limits);
   if (format == ImageFormat::webp) return readWebp(readFile(file), source.name, limits);
   if (format == ImageFormat::pfm) return describePfm(readPfm(file, limits));
+  if (format == ImageFormat::png)
+    if (const auto samples = readPng(png, PngUse::described, limits.maxBytes, sizeof(float)))
+      return {toImage(*samples), samples->info};
+  if (format == ImageFormat::exr)
+    if (std::optional<ImageFile> read = readExr(readFile(file), limits)) return std::move(*read);
   return imageModule().read(source);
 }
 
 ImageShape readImageShape(const fs::path& file, const ImageLimits& limits) {
-  const auto [format, source] = checkFile(file, limits, false);
+  const auto [format, source, png] = checkFile(file, limits, false);
   if (format == ImageFormat::png) return readPngShape(readHead(file), source.name, limits);
   if (format == ImageFormat::jpeg) return readJpegShape(readFile(file), source.name, limits);
   if (format == ImageFormat::pfm) return readPfmShape(readHead(file), source.name, limits);
   if (format == ImageFormat::webp) return readWebpShape(readHead(file), source.name, limits);
+  if (format == ImageFormat::exr)
+    if (const auto shape = readExrShape(readHead(file), regularFileSize(file), limits)) return *shape;
   return imageModule().readShape(source);
 }
 
 BasicImage<std::uint32_t> readIntegers(const fs::path& file, const ImageLimits& limits) {
-  const auto [format, source] = checkFile(file, limits);
+  const auto [format, source, png] = checkFile(file, limits);
   if (format == ImageFormat::pfm) throw fileError(source.name, "", "holds floats, not integers");
+  if (format == ImageFormat::png)
+    if (const auto samples = readPng(png, PngUse::samplesOnly, limits.maxBytes, sizeof(std::uint32_t)))
+      return toIntegers(*samples);
   if (format != ImageFormat::webp) return imageModule().readIntegers(source);
   const Image8 stored = decodeWebp(readFile(file), source.name, 4, limits);
   BasicImage<std::uint32_t> wide(stored.width, stored.height, stored.channels);
@@ -198,8 +214,11 @@ BasicImage<std::uint32_t> readIntegers(const fs::path& file, const ImageLimits& 
 
 Image8 readImage8(const fs::path& file, int channels, const ImageLimits& limits) {
   checkChannels(channels);
-  const auto [format, source] = checkFile(file, limits);
+  const auto [format, source, png] = checkFile(file, limits);
   if (format == ImageFormat::webp) return decodeWebp(readFile(file), source.name, channels, limits);
+  if (format == ImageFormat::png)
+    if (const auto samples = readPng(png, PngUse::samplesOnly, limits.maxBytes, 1, channels))
+      return toImage8(*samples, channels);
   return imageModule().read8(source, channels);
 }
 
@@ -211,6 +230,9 @@ Image8 decodeImage8(std::span<const std::byte> bytes, const std::string& name, i
   if (format == ImageFormat::webp) return decodeWebp(bytes, name, channels, limits);
   if (format == ImageFormat::jpeg) readJpegShape(bytes, name, limits);
   checkPng(bytes, name, limits);
+  if (format == ImageFormat::png)
+    if (const auto samples = readPng(bytes, PngUse::samplesOnly, limits.maxBytes, 1, channels))
+      return toImage8(*samples, channels);
   checkExr(bytes, bytes.size(), name);
   return imageModule().read8({.name = name, .format = readerOf(format), .bytes = bytes, .limits = limits}, channels);
 }
@@ -224,6 +246,8 @@ ImageFile decodeRadiance(std::span<const std::byte> bytes, const std::string& na
   checkExr(bytes, bytes.size(), name);
   ImageSource source{.name = name, .format = readerOf(*format), .bytes = bytes, .limits = limits};
   source.limits.maxPixels = std::min(limits.maxPixels, kMaxRadiancePixels);
+  if (*format == ImageFormat::exr)
+    if (std::optional<ImageFile> read = readExr(bytes, source.limits)) return std::move(*read);
   if (imageModule().readShape(source).integer)
     throw fileError(name, "",
                     "holds integers, so it is not an HDR environment; give a .hdr, .exr or .pfm file of floats");
@@ -237,8 +261,7 @@ bool isIntegerImage(const fs::path& file) { return readImageShape(file).integer;
 void writeImage(const fs::path& file, const Image& image, const WriteOptions& options) {
   checkWritable(file, image, options);
   if (extensionOf(file) == ".pfm") return writePfm(file, image);
-  if (extensionOf(file) == ".png")
-    return writeBytes(file, encodePng(roundTo8(image), options.pngCompression, file.string()));
+  if (extensionOf(file) == ".png") return writeBytes(file, encodePng(roundTo8(image), options.pngCompression));
   writeBytes(file, imageModule().encode(file, image, options));
 }
 
@@ -249,7 +272,7 @@ void writeImage8(const fs::path& file, const Image8& image, const WriteOptions& 
 std::vector<std::byte> encodeImage8(const fs::path& file, const Image8& image, const WriteOptions& options) {
   checkWritable(file, image, options);
   if (extensionOf(file) != ".png") throw fileError(file.string(), "", "8-bit images are written as .png only");
-  return encodePng(image, options.pngCompression, file.string());
+  return encodePng(image, options.pngCompression);
 }
 
 fs::path imageModuleFile() {

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/image/channel_map.h"
 #include "base/image/image_reader.h"
 
 namespace parity::base {
@@ -48,34 +49,6 @@ template <typename T> Image readNormalized(Reader& reader) {
   return image;
 }
 
-std::uint8_t to8(std::uint8_t v) { return v; }
-std::uint8_t to8(std::uint16_t v) { return static_cast<std::uint8_t>((v + 128u) / 257u); } // round(v / 257) in integers
-
-// From a file's channels, of which one may be alpha, to as many as are wanted: an even number has alpha as the last.
-class ChannelMap {
-public:
-  ChannelMap(const oiio::ImageSpec& spec, int channels)
-      : m_from(spec.nchannels), m_alpha(spec.alpha_channel), m_to(channels) {}
-
-  bool keepsAll() const {
-    const bool hasAlpha = m_alpha >= 0;
-    return m_from == m_to && (!hasAlpha || m_alpha == m_from - 1) && hasAlpha == (m_to % 2 == 0);
-  }
-
-  template <typename T> void convert(const T* in, std::size_t count, std::uint8_t* out) const {
-    const int colors = m_from - (m_alpha >= 0 ? 1 : 0);
-    const bool wantsAlpha = m_to % 2 == 0;
-    const int wantedColors = m_to - (wantsAlpha ? 1 : 0);
-    for (std::size_t i = 0; i < count; ++i, in += m_from, out += m_to) {
-      for (int c = 0; c < wantedColors; ++c) out[c] = to8(in[colors >= 3 ? c : 0]);
-      if (wantsAlpha) out[wantedColors] = m_alpha >= 0 ? to8(in[m_alpha]) : std::uint8_t{255};
-    }
-  }
-
-private:
-  int m_from, m_alpha, m_to;
-};
-
 // Band by band: of a large picture stored in scanlines we hold no second copy.
 template <typename T> Image8 convertWhileReading(Reader& reader, const ChannelMap& map, int channels) {
   const oiio::ImageSpec spec = reader.spec();
@@ -91,7 +64,7 @@ template <typename T> Image8 convertWhileReading(Reader& reader, const ChannelMa
 }
 
 Image8 readAs8(Reader& reader, int channels) {
-  const ChannelMap map(reader.spec(), channels);
+  const ChannelMap map(reader.spec().nchannels, reader.spec().alpha_channel, channels);
   if (reader.spec().format == oiio::TypeDesc::UINT16) return convertWhileReading<std::uint16_t>(reader, map, channels);
   return map.keepsAll() ? reader.read<std::uint8_t>() : convertWhileReading<std::uint8_t>(reader, map, channels);
 }

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include "base/error.h"
 
@@ -59,7 +59,7 @@ void checkPng(std::span<const std::byte> bytes, const std::string& name, const I
       throw fileError(name, "damaged or truncated", fmt::format("the file ends inside a chunk {}", type));
     const std::string_view checked = rest.substr(kLengthBytes, kTypeBytes + length);
     const std::uint32_t checksum = bigEndian(rest.substr(kLengthBytes + kTypeBytes + length));
-    if (crc32_z(0, reinterpret_cast<const Bytef*>(checked.data()), checked.size()) != checksum)
+    if (libdeflate_crc32(0, checked.data(), checked.size()) != checksum)
       throw fileError(name, "damaged or truncated", fmt::format("a chunk {} does not match its checksum", type));
     if (type == "IEND") return; // whatever follows is no part of the image
     rest.remove_prefix(kLengthBytes + kTypeBytes + length + kChecksumBytes);

@@ -1,85 +1,89 @@
-// libpng's calls, its jump past our frames turned into an Error.
+// PNG (ISO/IEC 15948) by hand: four chunks, of which one holds the picture.
 #include "base/image/png_write.h"
 
 #include <array>
-#include <csetjmp>
-#include <cstring>
 #include <memory>
 #include <new>
-#include <utility>
+#include <string_view>
 
-#include <png.h>
+#include <libdeflate.h>
 
-#include "base/error.h"
+#include "base/image/fast_deflate.h"
+#include "base/image/png_filter.h"
 
 namespace parity::base {
 
 namespace {
 
-// What libpng's functions reach by their void pointer.
-struct Output {
-  std::vector<std::byte> bytes;
-  std::array<char, 128> reason{};
-};
-
-// libpng jumps over frames: they hold nothing that has a destructor.
-[[noreturn]] void fail(png_structp png, const char* reason) {
-  auto* output = static_cast<Output*>(png_get_error_ptr(png));
-  std::strncpy(output->reason.data(), reason, output->reason.size() - 1);
-  png_longjmp(png, 1);
+void append(std::vector<std::byte>& bytes, std::string_view text) {
+  const auto* begin = reinterpret_cast<const std::byte*>(text.data());
+  bytes.insert(bytes.end(), begin, begin + text.size());
 }
 
-void ignoreWarning(png_structp /*png*/, const char* /*reason*/) {}
-
-bool append(std::vector<std::byte>& bytes, const png_byte* data, std::size_t size) {
-  try {
-    const auto* begin = reinterpret_cast<const std::byte*>(data);
-    bytes.insert(bytes.end(), begin, begin + size);
-    return true;
-  } catch (const std::bad_alloc&) {
-    return false;
-  }
+void append32(std::vector<std::byte>& bytes, std::size_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<std::byte>(value >> shift));
 }
 
-void write(png_structp png, png_bytep data, std::size_t size) {
-  if (!append(static_cast<Output*>(png_get_io_ptr(png))->bytes, data, size)) png_error(png, "out of memory");
+// Writes a chunk, whose content is what add() appends.
+template <typename Add> void appendChunk(std::vector<std::byte>& file, std::string_view type, const Add& add) {
+  const std::size_t begin = file.size();
+  append32(file, 0);
+  append(file, type);
+  add();
+  const std::size_t length = file.size() - begin - 8;
+  for (std::size_t i = 0; i < 4; ++i) file[begin + i] = static_cast<std::byte>(length >> (24 - 8 * i));
+  append32(file, libdeflate_crc32(0, file.data() + begin + 4, length + 4));
 }
 
-void flush(png_structp /*png*/) {}
-
-// False after an error, whose reason the output holds.
-bool writeFile(png_structp png, png_infop info, const Image8& image, int compression) {
-  constexpr std::array kColorTypes{PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
-                                   PNG_COLOR_TYPE_RGB_ALPHA};
-  if (setjmp(png_jmpbuf(png))) return false;
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-               kColorTypes[static_cast<std::size_t>(image.channels - 1)], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE,
-               PNG_FILTER_TYPE_BASE);
-  png_set_compression_level(png, compression);
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_AVG); // trying all five for each row costs more than it saves
-  png_write_info(png, info);
+// Every row behind the number of its filter.
+std::vector<std::uint8_t> filterRows(const Image8& image) {
   const std::size_t stride = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
-  for (int y = 0; y < image.height; ++y) png_write_row(png, image.pixels.data() + static_cast<std::size_t>(y) * stride);
-  png_write_end(png, info);
-  return true;
+  std::vector<std::uint8_t> rows;
+  rows.reserve((1 + stride) * static_cast<std::size_t>(image.height));
+  const std::vector<std::uint8_t> zeros(stride);
+  const std::uint8_t* above = zeros.data();
+  for (int y = 0; y < image.height; ++y) {
+    const std::uint8_t* row = image.pixels.data() + static_cast<std::size_t>(y) * stride;
+    rows.push_back(static_cast<std::uint8_t>(PngFilter::paeth));
+    rows.resize(rows.size() + stride);
+    filterByPaeth(row, above, stride, image.channels, rows.data() + rows.size() - stride);
+    above = row;
+  }
+  return rows;
+}
+
+void appendZlib(std::vector<std::byte>& file, const std::vector<std::uint8_t>& rows, int level) {
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(level), &libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  const std::size_t before = file.size();
+  file.resize(before + libdeflate_zlib_compress_bound(compressor.get(), rows.size()));
+  file.resize(before + libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(), file.data() + before,
+                                                file.size() - before));
 }
 
 } // namespace
 
-std::vector<std::byte> encodePng(const Image8& image, int compression, const std::string& name) {
-  struct Destroy {
-    void operator()(png_struct* png) const { png_destroy_write_struct(&png, nullptr); }
-  };
-  Output output;
-  const std::unique_ptr<png_struct, Destroy> png(
-      png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, fail, ignoreWarning));
-  if (!png) throw fileError(name, "cannot be written", "libpng does not start");
-  png_infop info = png_create_info_struct(png.get());
-  png_set_write_fn(png.get(), &output, write, flush);
-  const bool written = info && writeFile(png.get(), info, image, compression);
-  png_destroy_info_struct(png.get(), &info);
-  if (!written) throw fileError(name, "cannot be written", output.reason[0] ? output.reason.data() : "out of memory");
-  return std::move(output.bytes);
+std::vector<std::byte> encodePng(const Image8& image, int compression) {
+  const std::vector<std::uint8_t> rows = filterRows(image);
+  std::vector<std::byte> file;
+  file.reserve(rows.size() / 4);
+  append(file, "\x89PNG\r\n\x1a\n");
+  appendChunk(file, "IHDR", [&] {
+    append32(file, static_cast<std::size_t>(image.width));
+    append32(file, static_cast<std::size_t>(image.height));
+    constexpr std::array<char, 4> kColorTypes{0, 4, 2, 6}; // grey, grey and alpha, RGB, RGBA
+    const char tail[] = {8, kColorTypes[static_cast<std::size_t>(image.channels - 1)], 0, 0, 0};
+    append(file, {tail, sizeof(tail)});
+  });
+  appendChunk(file, "IDAT", [&] {
+    if (compression <= 1)
+      appendFastZlib(file, rows);
+    else
+      appendZlib(file, rows, compression);
+  });
+  appendChunk(file, "IEND", [] {});
+  return file;
 }
 
 } // namespace parity::base
