@@ -1,4 +1,4 @@
-// PNG (ISO/IEC 15948) by hand: four chunks, of which one holds the picture.
+// PNG (ISO/IEC 15948): four chunks, of which one holds the picture as libdeflate packs it.
 #include "base/image/png_write.h"
 
 #include <array>
@@ -8,7 +8,6 @@
 
 #include <libdeflate.h>
 
-#include "base/image/fast_deflate.h"
 #include "base/image/png_filter.h"
 
 namespace parity::base {
@@ -76,12 +75,7 @@ std::vector<std::byte> encodePng(const Image8& image, int compression) {
     const char tail[] = {8, kColorTypes[static_cast<std::size_t>(image.channels - 1)], 0, 0, 0};
     append(file, {tail, sizeof(tail)});
   });
-  appendChunk(file, "IDAT", [&] {
-    if (compression <= 1)
-      appendFastZlib(file, rows);
-    else
-      appendZlib(file, rows, compression);
-  });
+  appendChunk(file, "IDAT", [&] { appendZlib(file, rows, compression); });
   appendChunk(file, "IEND", [] {});
   return file;
 }
