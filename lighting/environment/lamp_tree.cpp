@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "base/parallel.h"
 #include "scenes/luminance.h"
 
 namespace parity::lighting {
@@ -120,28 +121,39 @@ glm::dvec3 directionOf(const Moments& m) {
   return length > 1e-6 ? m.mean / length : m.axis;
 }
 
-void addNodes(std::span<Cell> cells, std::vector<LampNode>& nodes) {
+// The tree of some cells has 2 n - 1 nodes: where each part of it lies is known before it is made.
+void makeNodes(std::span<Cell> cells, std::span<LampNode> nodes, std::size_t index) {
   const Moments m = momentsOf(cells);
-  const std::size_t index = nodes.size();
-  nodes.push_back(
-      {.direction = glm::vec3(directionOf(m)), .spread = static_cast<float>(m.spread), .light = glm::vec3(m.light)});
+  nodes[index] = {.direction = glm::vec3(directionOf(m)),
+                  .spread = static_cast<float>(m.spread),
+                  .light = glm::vec3(m.light),
+                  .next = static_cast<std::uint32_t>(index + 2 * cells.size() - 1)};
   if (cells.size() > 1) {
     const double middle = glm::dot(m.axis, m.mean);
     const auto isBefore = [&](const Cell& cell) { return glm::dot(m.axis, cell.direction) < middle; };
     auto split = std::stable_partition(cells.begin(), cells.end(), isBefore);
     if (split == cells.begin() || split == cells.end()) split = cells.begin() + cells.size() / 2; // all in one place
-    addNodes({cells.begin(), split}, nodes);
-    addNodes({split, cells.end()}, nodes);
+    const std::span<Cell> first(cells.begin(), split), second(split, cells.end());
+    const auto makeHalf = [&](std::size_t half) {
+      if (half == 0)
+        makeNodes(first, nodes, index + 1);
+      else
+        makeNodes(second, nodes, index + 2 * first.size());
+    };
+    constexpr std::size_t kWorthAThread = 2000; // cells
+    if (cells.size() >= kWorthAThread)
+      return base::parallelFor(2, 1, [&](std::size_t half, std::size_t) { makeHalf(half); });
+    makeHalf(0);
+    makeHalf(1);
   }
-  nodes[index].next = static_cast<std::uint32_t>(nodes.size());
 }
 
 // Leaves are the cells, which are brought into their order.
 LampTree makeTree(std::span<Cell> cells) {
   LampTree tree;
   if (cells.empty()) return tree;
-  tree.nodes.reserve(2 * cells.size() - 1);
-  addNodes(cells, tree.nodes);
+  tree.nodes.resize(2 * cells.size() - 1);
+  makeNodes(cells, tree.nodes, 0);
   return tree;
 }
 

@@ -87,7 +87,9 @@ HWY_INLINE void walk(const LampNode* nodes, std::int32_t first, float a2, float 
         walker.next = hn::IfThenElse(hn::RebindMask(di, sight.isOut), walker.next, hn::Set(di, afterAll));
       }
     }
-    take(node, hn::IfThenZeroElse(sight.isOut, weightOf(node, sight, a2, scale)), walker);
+    // Below the horizon of all: nothing to add.
+    if (!hn::AllFalse(d, hn::Gt(sight.cosine, hn::Zero(d))))
+      take(node, hn::IfThenZeroElse(sight.isOut, weightOf(node, sight, a2, scale)), walker);
     i = following;
   }
 }
