@@ -13,6 +13,7 @@
 #include <benchmark/benchmark.h>
 
 #include "base/parallel.h"
+#include "base/simd_level.h"
 #include "bench/noisy_image.h"
 #include "compare/flip/flip.h"
 #include "compare/flip/flip_filters.h"
@@ -79,7 +80,7 @@ template <typename Body> void measure(benchmark::State& state, double pixels, in
   const double each = seconds / static_cast<double>(state.iterations());
   state.counters["ns/px"] = 1e9 * each / pixels;
   state.counters["roofline"] = pixels * maps * filterOperations() / rate / threads / each;
-  state.SetLabel(simdLevels().front());
+  state.SetLabel(base::simdLevels().front());
 }
 
 const std::vector<std::vector<std::int64_t>> kSizes = {{512, 512}, {1920, 1080}, {3840, 2160}, {7680, 4320}};
@@ -128,7 +129,7 @@ BENCHMARK(hdr)->ArgNames({"w", "h", "threads"})->Apply(addSizes)->UseRealTime()-
 
 // One instruction set after another, 1080p.
 void ldrBySimdLevel(benchmark::State& state) {
-  const std::vector<std::string> levels = simdLevels();
+  const std::vector<std::string> levels = base::simdLevels();
   const auto index = static_cast<std::size_t>(state.range(0));
   if (index >= levels.size()) {
     state.SkipWithError("this processor has no further instruction set");
@@ -136,9 +137,9 @@ void ldrBySimdLevel(benchmark::State& state) {
   }
   const base::ThreadLimit limit(1);
   const base::Image8 reference = makeNoisyImage(1920, 1080, 1), test = makeNoisyImage(1920, 1080, 2);
-  useSimdLevel(levels[index]);
+  base::useSimdLevel(levels[index]);
   measure(state, 1920. * 1080., 1, 1, [&] { benchmark::DoNotOptimize(flipMap(reference, test).pixels.data()); });
-  useSimdLevel("");
+  base::useSimdLevel("");
   state.SetLabel(levels[index]);
 }
 BENCHMARK(ldrBySimdLevel)->DenseRange(0, 3)->UseRealTime()->Unit(benchmark::kMillisecond);

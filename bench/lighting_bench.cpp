@@ -22,6 +22,18 @@ BENCHMARK(prefilterEnvironment)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
+// What a path's first run pays for its environment.
+void prepareEnvironment(benchmark::State& state, const lighting::PrefilterOptions& options) {
+  const scenes::Environment environment = scenes::makeBuiltinEnvironment("studio");
+  for (auto _ : state) benchmark::DoNotOptimize(lighting::makeEnvironmentLight(environment, options));
+}
+BENCHMARK_CAPTURE(prepareEnvironment, mobile, lighting::PrefilterOptions{.levels = lighting::PrefilterLevels::first})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(prepareEnvironment, highend, lighting::kFinePrefilter)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
 void tabulateEnvironmentBrdf(benchmark::State& state) {
   const auto term = state.range(0) == 0 ? highend::GeometryTerm::heightCorrelated : highend::GeometryTerm::schlickSmith;
   for (auto _ : state) benchmark::DoNotOptimize(highend::makeEnvBrdfLut(term));

@@ -5,6 +5,12 @@ find_package(Vulkan REQUIRED)
 find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 find_package(hwy REQUIRED)
+# Instruction sets to compile for: without the ones whose vectors have no size at compile time (they cannot be held in a
+# struct), and without SSSE3, between plain x86-64 and SSE4.
+add_library(parity_simd INTERFACE)
+target_link_libraries(parity_simd INTERFACE hwy::hwy)
+target_compile_definitions(parity_simd INTERFACE
+  "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
 find_package(glm REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "base/error.h"
 #include "compare/flip/flip_constants.h"
 #include "compare/flip/flip_simd.h"
 
@@ -220,20 +219,6 @@ void markDifferences(const void* a, const void* b, std::size_t count, std::size_
   for (std::size_t begin = 0, i = 0; begin < count; begin += cell, ++i)
     if (std::memcmp(left + begin, right + begin, std::min(cell, count - begin)) != 0)
       bits[i / 64] |= std::uint64_t{1} << (i % 64);
-}
-
-std::vector<std::string> simdLevels() {
-  std::vector<std::string> names;
-  for (std::int64_t target : hwy::SupportedAndGeneratedTargets()) names.push_back(hwy::TargetName(target));
-  return names;
-}
-
-void useSimdLevel(const std::string& name) {
-  hwy::SetSupportedTargetsForTest(0);
-  if (name.empty()) return;
-  for (std::int64_t target : hwy::SupportedAndGeneratedTargets())
-    if (name == hwy::TargetName(target)) return hwy::SetSupportedTargetsForTest(target);
-  throw base::Error(base::ExitCode::usage, "SIMD level", name, "is not one that this processor can run");
 }
 
 } // namespace parity::compare

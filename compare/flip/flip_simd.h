@@ -3,8 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "compare/flip/flip_filters.h"
 
@@ -98,10 +96,5 @@ void markDifferences(const void* a, const void* b, std::size_t count, std::size_
 
 // Whether all are neither NaN nor infinite.
 bool allFinite(const float* values, std::size_t count);
-
-// Names of the instruction sets that this processor can run, the best first ("AVX3", "AVX2", "SSE4", ...), and the
-// choice of one for all later calls ("": the best again), for tests and benchmarks. Throws Error (usage) for another.
-std::vector<std::string> simdLevels();
-void useSimdLevel(const std::string& name);
 
 } // namespace parity::compare

@@ -16,15 +16,6 @@ constexpr double kLimitOverMean = 20;
 
 double luminanceOf(const glm::vec4& c) { return scenes::luminanceOf(glm::dvec3(c)); }
 
-// integral NoL / t^2 dl over the hemisphere, where t = u + a^2 (1 - u), u = (1 - NoL) / 2 and a = alpha: D is a^2 / pi
-// times 1 / t^2, and so in both of numerator and denominator.
-double integrateLobe(double alpha) {
-  const double a2 = alpha * alpha, b = 1 - a2;
-  if (b < 1e-6) return std::numbers::pi;
-  const double v = (1 + a2) / 2; // t at the horizon
-  return 4 * std::numbers::pi / b * ((1 + 2 * a2 / b) * (1 / a2 - 1 / v) - 2 / b * std::log(v / a2));
-}
-
 } // namespace
 
 BrightTexels takeBrightTexels(std::vector<glm::vec4>& faces, int n) {
@@ -61,25 +52,6 @@ BrightTexels takeBrightTexels(std::vector<glm::vec4>& faces, int n) {
     }
   }
   return texels;
-}
-
-glm::vec3 sumBrightTexels(const BrightTexels& texels, const glm::vec3& normal, double roughness) {
-  const double alpha = roughness * roughness;
-  const auto a2 = static_cast<float>(alpha * alpha);
-  std::array<Float4, 3> sums{};
-  for (const BrightTexels::Four& four : texels.fours) {
-    const Float4 dx = four.direction[0] - normal.x, dy = four.direction[1] - normal.y,
-                 dz = four.direction[2] - normal.z;
-    const Float4 u = (dx * dx + dy * dy + dz * dz) * 0.25f; // (1 - NoL) / 2 without its cancellation
-    const Float4 NoL = 1 - 2 * u, t = u + a2 * (1 - u);
-    const Float4 weight = (NoL > 0 ? NoL : Float4{}) / (t * t);
-    for (int c = 0; c < 3; ++c) sums[c] += weight * four.energy[c];
-  }
-  const double scale = 1 / integrateLobe(alpha);
-  glm::vec3 result;
-  for (int c = 0; c < 3; ++c)
-    result[c] = static_cast<float>(scale * (double{sums[c][0]} + sums[c][1] + sums[c][2] + sums[c][3]));
-  return result;
 }
 
 } // namespace parity::lighting

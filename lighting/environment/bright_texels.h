@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -28,6 +29,8 @@ BrightTexels takeBrightTexels(std::vector<glm::vec4>& faces, int n);
 
 // What they add to the radiance filtered by the lobe of N = V: sum energy D(h) NoL / integral D(h) NoL dl, with D of
 // GGX at alpha = roughness^2 (Walter et al. 2007, eq. 33) and NoH^2 = (1 + NoL) / 2; texels are points.
-glm::vec3 sumBrightTexels(const BrightTexels& texels, const glm::vec3& normal, double roughness);
+// sums: one for each normal; it does not depend on the other normals, nor on the processor.
+void sumBrightTexels(const BrightTexels& texels, std::span<const glm::vec3> normals, double roughness,
+                     std::span<glm::vec3> sums);
 
 } // namespace parity::lighting

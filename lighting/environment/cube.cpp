@@ -3,6 +3,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.h"
 
@@ -39,11 +40,14 @@ std::vector<double> texelSolidAngles(int n) {
     const double s = 2.0 * x / n - 1, t = 2.0 * y / n - 1;
     return std::atan2(s * t, std::sqrt(s * s + t * t + 1));
   };
-  std::vector<double> angles(static_cast<std::size_t>(n) * n);
-  for (int y = 0; y < n; ++y)
+  std::vector<double> angles(static_cast<std::size_t>(n) * n), upper(n + 1), lower(n + 1);
+  for (int x = 0; x <= n; ++x) upper[x] = corner(x, 0);
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x <= n; ++x) lower[x] = corner(x, y + 1);
     for (int x = 0; x < n; ++x)
-      angles[static_cast<std::size_t>(y) * n + x] =
-          corner(x, y) + corner(x + 1, y + 1) - corner(x + 1, y) - corner(x, y + 1);
+      angles[static_cast<std::size_t>(y) * n + x] = upper[x] + lower[x + 1] - upper[x + 1] - lower[x];
+    std::swap(upper, lower);
+  }
   return angles;
 }
 

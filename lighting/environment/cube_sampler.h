@@ -43,15 +43,18 @@ public:
   // base: six faces of faceSize^2 texels (a power of two, at least 2).
   CubeSampler(std::vector<glm::vec4> base, int faceSize);
 
-  int faceSize() const { return m_levels.front().stride - 2; }
+  int faceSize() const { return m_faceSize; }
 
-  // The weighted sum of the radiance in many directions, turned by `frame`: each from the mip whose texels there are
-  // 2^sizeLog2 times as wide as a base texel at a face's middle. Texels towards a face's corners are smaller by up to
-  // 3^(3/4): a finer mip at the middle serves the same size at a corner. Finite where all texels and their sum are.
+  // The weighted sum of the radiance in many directions, turned by each of `frames`: each from the mip whose texels
+  // there are 2^sizeLog2 times as wide as a base texel at a face's middle. Texels towards a face's corners are smaller
+  // by up to 3^(3/4): a finer mip at the middle serves the same size at a corner. Finite where all texels and their sum
+  // are. sums: one for each frame; it does not depend on the other frames, nor on the processor.
+  void readSums(std::span<const glm::mat3> frames, std::span<const FourReads> reads, std::span<glm::vec3> sums) const;
   glm::vec3 readSum(const glm::mat3& frame, std::span<const FourReads> reads) const;
 
 private:
-  std::vector<CubeLevel> m_levels;
+  int m_faceSize;
+  std::vector<glm::vec4> m_levels; // CubeLevel::faces of one after the other, the finest first
 };
 
 } // namespace parity::lighting

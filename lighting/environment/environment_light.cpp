@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/error.h"
@@ -74,15 +75,16 @@ EnvironmentLight filterCube(std::vector<glm::vec4> texels, const PrefilterOption
 } // namespace
 
 EnvironmentLight makeEnvironmentLight(const scenes::Environment& environment, const PrefilterOptions& options) {
-  Panorama panorama = makePanorama(environment, options.faceSize);
-  std::vector<glm::vec4> texels = resampleEquirect(panorama, options.faceSize);
+  const Panorama panorama = makePanorama(environment, options.faceSize);
   std::optional<SplitCube> split;
+  std::vector<glm::vec4> texels;
   if (options.levels == PrefilterLevels::fine) {
     split.emplace();
-    split->lamps = takeLamps(panorama);
-    split->rest = split->lamps.wide.nodes.empty() && split->lamps.compact.nodes.empty()
-                      ? texels
-                      : resampleEquirect(panorama, options.faceSize);
+    Panorama rest = panorama;
+    split->lamps = takeLamps(rest);
+    std::tie(texels, split->rest) = resampleEquirect(panorama, rest, options.faceSize);
+  } else {
+    texels = resampleEquirect(panorama, options.faceSize);
   }
   EnvironmentLight light = filterCube(std::move(texels), options, split ? &*split : nullptr);
   if (split) light.lamps = {pruneLamps(split->lamps.wide, kMaxWideLampLeaves), std::move(split->lamps.compact)};

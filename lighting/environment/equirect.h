@@ -1,6 +1,7 @@
 // From an equirectangular panorama to the base mip of a cube map, by exact areas.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -17,5 +18,8 @@ namespace parity::lighting {
 std::vector<glm::vec4> resampleEquirect(const scenes::Environment& environment, int faceSize);
 // The same of a panorama made for such faces.
 std::vector<glm::vec4> resampleEquirect(const Panorama& panorama, int faceSize);
+// Of two panoramas that differ in their radiance alone, in little more time than of one.
+std::pair<std::vector<glm::vec4>, std::vector<glm::vec4>> resampleEquirect(const Panorama& a, const Panorama& b,
+                                                                           int faceSize);
 
 } // namespace parity::lighting

@@ -9,8 +9,8 @@
 #include <span>
 #include <utility>
 
+#include "base/parallel.h"
 #include "scenes/luminance.h"
-#include "shading/shading.h"
 
 namespace parity::lighting {
 
@@ -28,8 +28,31 @@ struct Cell {
 constexpr double kCompactSpread = 3e-5; // (.31 degrees)^2
 constexpr double kAround = 4, kShareOfAround = 0.7;
 
+// Directions of the middles of a panorama's cells, by column and row.
+class CellDirections {
+public:
+  explicit CellDirections(const Panorama& p) {
+    for (int x = 0; x < p.width; ++x) {
+      const double azimuth = p.azimuthAt(x + 0.5);
+      m_columns.emplace_back(std::cos(azimuth), std::sin(azimuth));
+    }
+    for (int y = 0; y < p.height; ++y) {
+      const double height = (p.rowY[y] + p.rowY[y + 1]) / 2;
+      m_rows.emplace_back(std::sqrt(1 - height * height), height);
+    }
+  }
+  glm::dvec3 at(int x, int y) const {
+    const glm::dvec2 &column = m_columns[x], &row = m_rows[y];
+    return {row.x * column.x, row.y, row.x * column.y};
+  }
+  double across(int y) const { return m_rows[y].x; }
+
+private:
+  std::vector<glm::dvec2> m_columns, m_rows; // cos and sin of the azimuth; sin and cos of the polar angle
+};
+
 // lights: of each cell of the panorama, as it lies there, the luminance of what is taken.
-std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {
+std::vector<Cell> takeCells(Panorama& p, const CellDirections& directions, std::vector<float>& lights) {
   lights.assign(p.columns.size(), 0.f);
   const double columnWidth = 2 * std::numbers::pi / p.width, rowHeight = std::numbers::pi / p.height;
   double mean = 0;
@@ -43,13 +66,10 @@ std::vector<Cell> takeCells(Panorama& p, std::vector<float>& lights) {
       const double luminance = luminanceOf(radiance);
       if (!(luminance > mean)) continue;
       const glm::vec3 rest(glm::dvec3(radiance) * (mean / luminance));
-      const double solidAngle = (p.rowY[y] - p.rowY[y + 1]) * columnWidth, azimuth = p.azimuthAt(x + 0.5),
-                   height = (p.rowY[y] + p.rowY[y + 1]) / 2, across = std::sqrt(1 - height * height);
+      const double solidAngle = (p.rowY[y] - p.rowY[y + 1]) * columnWidth;
       const glm::dvec3 light = solidAngle * (glm::dvec3(radiance) - glm::dvec3(rest));
-      cells.push_back({{across * std::cos(azimuth), height, across * std::sin(azimuth)},
-                       light,
-                       luminanceOf(light),
-                       (std::pow(columnWidth * across, 2) + rowHeight * rowHeight) / 12});
+      cells.push_back({directions.at(x, y), light, luminanceOf(light),
+                       (std::pow(columnWidth * directions.across(y), 2) + rowHeight * rowHeight) / 12});
       lights[static_cast<std::size_t>(x) * p.height + y] = static_cast<float>(cells.back().luminance);
       radiance = rest;
     }
@@ -101,35 +121,55 @@ glm::dvec3 directionOf(const Moments& m) {
   return length > 1e-6 ? m.mean / length : m.axis;
 }
 
-void addNodes(std::span<Cell> cells, std::vector<LampNode>& nodes) {
+// The tree of some cells has 2 n - 1 nodes: where each part of it lies is known before it is made.
+void makeNodes(std::span<Cell> cells, std::span<LampNode> nodes, std::size_t index) {
   const Moments m = momentsOf(cells);
-  const std::size_t index = nodes.size();
-  nodes.push_back(
-      {.direction = glm::vec3(directionOf(m)), .spread = static_cast<float>(m.spread), .light = glm::vec3(m.light)});
+  nodes[index] = {.direction = glm::vec3(directionOf(m)),
+                  .spread = static_cast<float>(m.spread),
+                  .light = glm::vec3(m.light),
+                  .next = static_cast<std::uint32_t>(index + 2 * cells.size() - 1)};
   if (cells.size() > 1) {
     const double middle = glm::dot(m.axis, m.mean);
     const auto isBefore = [&](const Cell& cell) { return glm::dot(m.axis, cell.direction) < middle; };
     auto split = std::stable_partition(cells.begin(), cells.end(), isBefore);
     if (split == cells.begin() || split == cells.end()) split = cells.begin() + cells.size() / 2; // all in one place
-    addNodes({cells.begin(), split}, nodes);
-    addNodes({split, cells.end()}, nodes);
+    const std::span<Cell> first(cells.begin(), split), second(split, cells.end());
+    const auto makeHalf = [&](std::size_t half) {
+      if (half == 0)
+        makeNodes(first, nodes, index + 1);
+      else
+        makeNodes(second, nodes, index + 2 * first.size());
+    };
+    constexpr std::size_t kWorthAThread = 2000; // cells
+    if (cells.size() >= kWorthAThread)
+      return base::parallelFor(2, 1, [&](std::size_t half, std::size_t) { makeHalf(half); });
+    makeHalf(0);
+    makeHalf(1);
   }
-  nodes[index].next = static_cast<std::uint32_t>(nodes.size());
 }
 
 // Leaves are the cells, which are brought into their order.
 LampTree makeTree(std::span<Cell> cells) {
   LampTree tree;
   if (cells.empty()) return tree;
-  tree.nodes.reserve(2 * cells.size() - 1);
-  addNodes(cells, tree.nodes);
+  tree.nodes.resize(2 * cells.size() - 1);
+  makeNodes(cells, tree.nodes, 0);
   return tree;
 }
 
 double lightOf(const LampNode& node) { return luminanceOf(node.light); }
 
-// Light (luminance) of the cells whose middles are within `radius` of a direction.
-double lightWithin(const Panorama& p, const std::vector<float>& lights, const glm::dvec3& direction, double radius) {
+// The lamps' cells, as they lie in the panorama.
+struct LampMap {
+  const Panorama& panorama;
+  CellDirections directions;
+  std::vector<float> lights;
+};
+
+// Light (luminance) of the cells whose middles are within `radius` of a direction. Any sum above `enough` may be cut
+// short.
+double lightWithin(const LampMap& map, const glm::dvec3& direction, double radius, double enough) {
+  const Panorama& p = map.panorama;
   const double polar = std::acos(std::clamp(direction.y, -1.0, 1.0)),
                column = p.columnAt(std::atan2(direction.z, direction.x));
   const double cosine = std::cos(radius),
@@ -140,26 +180,29 @@ double lightWithin(const Panorama& p, const std::vector<float>& lights, const gl
             left = static_cast<int>(std::floor(column - columns)),
             right = left + std::min(p.width, static_cast<int>(2 * columns) + 2);
   double sum = 0;
-  for (int i = left; i < right; ++i)
-    for (int y = top; y <= bottom; ++y) {
-      const int x = (i % p.width + p.width) % p.width;
-      const double height = (p.rowY[y] + p.rowY[y + 1]) / 2, azimuth = p.azimuthAt(x + 0.5),
-                   r = std::sqrt(1 - height * height);
-      if (glm::dot(direction, {r * std::cos(azimuth), height, r * std::sin(azimuth)}) >= cosine)
-        sum += lights[static_cast<std::size_t>(x) * p.height + y];
-    }
+  for (int i = left; i < right && sum <= enough; ++i) {
+    const int x = (i % p.width + p.width) % p.width;
+    for (int y = top; y <= bottom; ++y)
+      if (glm::dot(direction, map.directions.at(x, y)) >= cosine)
+        sum += map.lights[static_cast<std::size_t>(x) * p.height + y];
+  }
   return sum;
 }
 
-// The compact groups, from the first on. lights: of the panorama's cells.
-std::vector<std::uint32_t> findCompact(const LampTree& tree, const Panorama& panorama,
-                                       const std::vector<float>& lights) {
+// Whether a node has enough of the light around it.
+bool standsAlone(const LampNode& node, const LampMap& map) {
+  const double light = lightOf(node);
+  // A sum of more than this is too much, by more than rounding.
+  const double enough = light / kShareOfAround * (1 + 1e-9);
+  return light >= kShareOfAround * lightWithin(map, node.direction, kAround * std::sqrt(double{node.spread}), enough);
+}
+
+// The compact groups, from the first on.
+std::vector<std::uint32_t> findCompact(const LampTree& tree, const LampMap& map) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < tree.nodes.size();) {
     const LampNode& node = tree.nodes[i];
-    const bool isCompact = node.spread <= kCompactSpread &&
-                           lightOf(node) >= kShareOfAround * lightWithin(panorama, lights, node.direction,
-                                                                         kAround * std::sqrt(double{node.spread}));
+    const bool isCompact = node.spread <= kCompactSpread && standsAlone(node, map);
     if (isCompact) found.push_back(i);
     i = isCompact ? node.next : i + 1;
   }
@@ -173,11 +216,11 @@ std::vector<std::uint32_t> findCompact(const LampTree& tree, const Panorama& pan
 } // namespace
 
 Lamps takeLamps(Panorama& panorama) {
-  std::vector<float> lights;
-  std::vector<Cell> cells = takeCells(panorama, lights);
+  LampMap map{panorama, CellDirections(panorama), {}};
+  std::vector<Cell> cells = takeCells(panorama, map.directions, map.lights);
   Lamps lamps;
   lamps.wide = makeTree(cells);
-  const std::vector<std::uint32_t> compact = findCompact(lamps.wide, panorama, lights);
+  const std::vector<std::uint32_t> compact = findCompact(lamps.wide, map);
   if (compact.empty()) return lamps;
   // The cells lie in the order of the tree's leaves.
   std::vector<Cell> groups, rest;
@@ -236,35 +279,6 @@ LampTree pruneLamps(const LampTree& tree, std::size_t leaves) {
   };
   add(add, 0, 0.f);
   return pruned;
-}
-
-void addLamps(const LampTree& tree, const std::array<Float4, 3>& directions, float a2, std::array<Float4, 3>& sums) {
-  // Where the lobe's scale is 10 times a node's radius its light errs by some .1 %, of a long one by 3 %. The scale is
-  // that of 1 / t^2, a parabola as wide as the distance or the lobe, and that of the cosine, which ends at the horizon.
-  constexpr float kOpening = 96;
-  const float scale = 1 / shading::f32::prefilteredLobeIntegral(a2);
-  const LampNode* nodes = tree.nodes.data();
-  const std::size_t count = tree.nodes.size();
-  for (std::size_t i = 0; i < count;) {
-    const LampNode& node = nodes[i];
-    const Float4 dx = directions[0] - node.direction.x, dy = directions[1] - node.direction.y,
-                 dz = directions[2] - node.direction.z;
-    const Float4 u = (dx * dx + dy * dy + dz * dz) * 0.25f, t = u + a2 * (1 - u), cosine = 1 - 2 * u;
-    if (node.next != i + 1) {
-      const Float4 ofCosine = cosine * cosine + 0.02f;
-      const Int4 isNear = 4 * (t < ofCosine ? t : ofCosine) < kOpening * node.spread;
-      if ((isNear[0] | isNear[1] | isNear[2] | isNear[3]) != 0) {
-        ++i;
-        continue;
-      }
-    }
-    const Float4 inverse = 1 / t;
-    const Float4 x = node.spread * inverse * (1 - 1.5f * a2 * inverse); // meanOverSpread of shading/lamps.glsl
-    const Float4 curved = x < 0 ? 1 / (1 - x) : 1 + x;
-    const Float4 weight = (cosine > 0 ? cosine : Float4{}) * (inverse * inverse * scale) * curved;
-    for (int c = 0; c < 3; ++c) sums[c] += weight * node.light[c];
-    i = node.next;
-  }
 }
 
 } // namespace parity::lighting

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -51,9 +52,15 @@ Lamps takeLamps(Panorama& panorama);
 // parent's spread is left out, because a pixel that opens the parent nearly always opens this node, too.
 LampTree pruneLamps(const LampTree& tree, std::size_t leaves);
 
-// Adds the tree's light filtered as prefilteredLobe (shading/lamps.glsl) does, of alpha^2 = `a2` to `sums` (red, green,
-// blue), for four unit directions at once (x, y, z). A node stands for all below it where the lobe is nearly a parabola
-// over it: then the second moment of its light gives the mean.
-void addLamps(const LampTree& tree, const std::array<Float4, 3>& directions, float a2, std::array<Float4, 3>& sums);
+// Four unit directions (x, y, z) and the sums of light there (red, green, blue).
+struct FourLampSums {
+  std::array<Float4, 3> direction{}, sum{};
+};
+
+// Adds the tree's light filtered as prefilteredLobe (shading/lamps.glsl) does, of alpha^2 = `a2`, to the sums. A node
+// stands for all below it where the lobe is nearly a parabola over it, at all four directions: then the second moment
+// of its light gives the mean. Sums do not depend on the other fours, nor on the processor; fours of directions close
+// to each other are faster.
+void addLamps(const LampTree& tree, float a2, std::span<FourLampSums> fours);
 
 } // namespace parity::lighting

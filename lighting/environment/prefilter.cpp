@@ -2,10 +2,12 @@
 #include "lighting/environment/prefilter.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <span>
 
 #include "base/parallel.h"
 #include "shading/shading.h"
@@ -28,19 +30,59 @@ glm::mat3 makeFrame(const glm::vec3& n) {
   return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
-void addLampsToRow(const LampTree& lamps, int face, int y, int size, double roughness, std::vector<glm::vec4>& texels) {
-  const auto a2 = static_cast<float>(std::pow(roughness, 4));
-  for (int x = 0; x < size; x += 4) {
-    const int count = std::min(4, size - x);
-    std::array<Float4, 3> directions, sums{};
-    for (int i = 0; i < 4; ++i) {
-      const glm::dvec3 direction = texelDirection(face, x + std::min(i, count - 1), y, size);
-      for (int c = 0; c < 3; ++c) directions[c][i] = static_cast<float>(direction[c]);
-    }
-    addLamps(lamps, directions, a2, sums);
-    for (int i = 0; i < count; ++i)
-      for (int c = 0; c < 3; ++c) texels[texelIndex(face, x + i, y, size)][c] += sums[c][i];
+// Texels that are filtered together: neighbours open the same lamps. Small faces have small tiles, for all cores.
+constexpr int kMaxTileSide = 16, kMaxTileTexels = kMaxTileSide * kMaxTileSide;
+int tileSideOf(int size) { return std::clamp(size / 4, std::min(size, 4), kMaxTileSide); }
+
+struct TexelTile {
+  int face, left, top, side;
+  int count() const { return side * side; }
+};
+
+void addLampsToTile(const LampTree& lamps, const TexelTile& tile, std::span<const glm::vec3> normals, float a2,
+                    std::span<glm::vec3> sums) {
+  std::array<FourLampSums, kMaxTileTexels / 4> fours;
+  // Squares of four rows: those of one square open the same lamps more often than those of one row.
+  const int rows = std::min(tile.side, 4), count = (tile.side + 3) / 4 * tile.side;
+  // What is left over of four directions repeats the last of its row.
+  const auto texelOf = [&](int four, int lane) {
+    const int square = four / rows, across = (tile.side + 3) / 4;
+    const int x = square % across * 4 + lane, y = square / across * rows + four % rows;
+    return y * tile.side + std::min(x, tile.side - 1);
+  };
+  for (int four = 0; four < count; ++four)
+    for (int lane = 0; lane < 4; ++lane)
+      for (int c = 0; c < 3; ++c) fours[four].direction[c][lane] = normals[texelOf(four, lane)][c];
+  addLamps(lamps, a2, std::span(fours).first(count));
+  for (int four = 0; four < count; ++four)
+    for (int lane = 0; lane < std::min(4, tile.side); ++lane)
+      for (int c = 0; c < 3; ++c) sums[texelOf(four, lane)][c] += fours[four].sum[c][lane];
+}
+
+// How a level is filtered.
+struct LevelLobe {
+  std::vector<FourReads> samples;
+  double roughnessOfBright;
+};
+
+void filterTile(const FilterSource& source, const LevelLobe& lobe, const TexelTile& tile, int size,
+                std::vector<glm::vec4>& texels) {
+  std::array<glm::vec3, kMaxTileTexels> normals, sums, brightSums{};
+  std::array<glm::mat3, kMaxTileTexels> frames;
+  const int count = tile.count();
+  for (int i = 0; i < count; ++i) {
+    normals[i] = glm::vec3(texelDirection(tile.face, tile.left + i % tile.side, tile.top + i / tile.side, size));
+    frames[i] = makeFrame(normals[i]);
   }
+  source.cube->readSums(std::span(frames).first(count), lobe.samples, sums);
+  if (!source.bright.fours.empty()) {
+    sumBrightTexels(source.bright, std::span(normals).first(count), lobe.roughnessOfBright, brightSums);
+    for (int i = 0; i < count; ++i) sums[i] += brightSums[i];
+  }
+  if (source.lamps)
+    addLampsToTile(*source.lamps, tile, normals, static_cast<float>(std::pow(lobe.roughnessOfBright, 4)), sums);
+  for (int i = 0; i < count; ++i)
+    texels[texelIndex(tile.face, tile.left + i % tile.side, tile.top + i / tile.side, size)] = glm::vec4(sums[i], 1.f);
 }
 
 } // namespace
@@ -85,18 +127,15 @@ std::vector<glm::vec4> prefilter(const FilterSource& source, int mip, int layer,
   const Spread spread = isFine ? Spread::spiral : Spread::hammersley;
   // A lobe narrower than the texels would be met or missed by their middles: alpha is half a texel's width at least.
   const double roughnessOfBright = isFine ? std::max(roughness, std::sqrt(1.0 / size)) : roughness;
-  const std::vector<FourReads> samples = packReads(
-      makeLobeSamples(roughness, samplesOfMip(mip, options), options.faceSize, options.footprintLog2, spread));
+  const LevelLobe lobe{packReads(makeLobeSamples(roughness, samplesOfMip(mip, options), options.faceSize,
+                                                 options.footprintLog2, spread)),
+                       roughnessOfBright};
   std::vector<glm::vec4> texels(texelIndex(kCubeFaces, 0, 0, size));
-  base::parallelFor(static_cast<std::size_t>(kCubeFaces) * size, 1, [&](std::size_t row, std::size_t) {
-    const int face = static_cast<int>(row) / size, y = static_cast<int>(row) % size;
-    for (int x = 0; x < size; ++x) {
-      const auto normal = glm::vec3(texelDirection(face, x, y, size));
-      const glm::vec3 radiance =
-          source.cube->readSum(makeFrame(normal), samples) + sumBrightTexels(source.bright, normal, roughnessOfBright);
-      texels[texelIndex(face, x, y, size)] = glm::vec4(radiance, 1.f);
-    }
-    if (source.lamps) addLampsToRow(*source.lamps, face, y, size, roughnessOfBright, texels);
+  const int side = tileSideOf(size), across = size / side;
+  base::parallelFor(static_cast<std::size_t>(kCubeFaces) * across * across, 1, [&](std::size_t i, std::size_t) {
+    const int face = static_cast<int>(i) / (across * across), inFace = static_cast<int>(i) % (across * across);
+    const TexelTile tile{face, inFace % across * side, inFace / across * side, side};
+    filterTile(source, lobe, tile, size, texels);
   });
   return texels;
 }

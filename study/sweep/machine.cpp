@@ -2,7 +2,7 @@
 
 #include "base/machine.h"
 #include "base/parallel.h"
-#include "compare/flip/flip_simd.h"
+#include "base/simd_level.h"
 
 namespace parity::sweep {
 
@@ -13,7 +13,7 @@ Machine describeMachine(const gpu::DeviceReport& device) {
   machine.device = device.name;
   machine.driver = device.driver;
   machine.deviceKind = device.kind;
-  machine.simd = compare::simdLevels().front();
+  machine.simd = base::simdLevels().front();
   machine.threads = base::threadCount();
   return machine;
 }

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/expect_error.h"
 #include "base/parallel.h"
+#include "base/simd_level.h"
 #include "lighting/environment/cube.h"
 #include "lighting/environment/environment_light.h"
 #include "lighting/environment/equirect.h"
@@ -215,6 +216,31 @@ TEST(EnvironmentLight, IsBitIdenticalForAnyNumberOfThreads) {
   const auto all = toBytes(makeEnvironmentLight(environment, kSmall));
   const base::ThreadLimit one(1);
   EXPECT_EQ(toBytes(makeEnvironmentLight(environment, kSmall)), all);
+}
+
+struct BestSimdLevelAgain {
+  ~BestSimdLevelAgain() { base::useSimdLevel(""); }
+};
+
+// Lamps from one cell to a quarter of the sky, so that neighbours open them differently; and faces of all sizes down to
+// one texel, which fill no vector.
+TEST(EnvironmentLight, IsBitIdenticalByEveryInstructionSet) {
+  const BestSimdLevelAgain again;
+  const scenes::Environment environment = makeEnvironment(256, [](const auto& d) {
+    const double stripes = std::sin(23 * d.x) * std::sin(31 * d.y + 5 * d.z);
+    return glm::dvec3(1 + d.x, 2 + d.y, std::exp(3 * d.z)) + (stripes > 0.9 ? 300.0 * stripes : 0.0);
+  });
+  for (const PrefilterLevels levels : {PrefilterLevels::first, PrefilterLevels::captures, PrefilterLevels::fine})
+    for (const int faceSize : {32, 64}) {
+      const PrefilterOptions options{.faceSize = faceSize, .sampleCount = 16, .levels = levels};
+      std::vector<std::byte> first;
+      for (const std::string& level : base::simdLevels()) {
+        base::useSimdLevel(level);
+        const std::vector<std::byte> bytes = toBytes(makeEnvironmentLight(environment, options));
+        if (first.empty()) first = bytes;
+        EXPECT_EQ(bytes, first) << level << " " << faceSize;
+      }
+    }
 }
 
 TEST(EnvironmentLight, ComesBackFromItsBytesAndRefusesDamagedOnes) {

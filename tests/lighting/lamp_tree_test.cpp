@@ -180,13 +180,13 @@ TEST(LampTree, FiltersAsItsLeavesDo) {
   for (const double roughness : {0.1, 0.3, 0.6, 1.0}) {
     const double a2 = std::pow(roughness, 4);
     for (const double angle : {0.0, 0.1, 0.3, 0.8, 1.3}) {
-      std::array<Float4, 3> directions, sums{};
+      FourLampSums four;
       glm::dvec3 direction[4];
       for (int i = 0; i < 4; ++i) {
         direction[i] = glm::normalize(std::cos(angle + 0.002 * i) * lamp + std::sin(angle + 0.002 * i) * side);
-        for (int c = 0; c < 3; ++c) directions[c][i] = static_cast<float>(direction[i][c]);
+        for (int c = 0; c < 3; ++c) four.direction[c][i] = static_cast<float>(direction[i][c]);
       }
-      addLamps(tree, directions, static_cast<float>(a2), sums);
+      addLamps(tree, static_cast<float>(a2), {&four, 1});
       for (int i = 0; i < 4; ++i) {
         double expected = 0;
         for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
@@ -196,7 +196,7 @@ TEST(LampTree, FiltersAsItsLeavesDo) {
               tree.nodes[n].light.y * shading::f64::prefilteredLobe(a2, shading::f64::prefilteredLobeIntegral(a2),
                                                                     glm::dot(d, d) / 4, tree.nodes[n].spread);
         }
-        EXPECT_NEAR(sums[1][i], expected, 0.03 * expected + 1e-9) << roughness << " " << angle;
+        EXPECT_NEAR(four.sum[1][i], expected, 0.03 * expected + 1e-9) << roughness << " " << angle;
       }
     }
   }

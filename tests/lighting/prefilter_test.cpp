@@ -76,7 +76,9 @@ TEST(BrightTexels, AreFilteredByTheLobe) {
         const glm::dvec3 L = texelDirection(index / (n * n), index % n, index / n % n, n);
         expected += weigh(glm::dot(N, L)) * angles[i % angles.size()] * glm::dvec3(glm::vec3(before[i] - faces[i]));
       }
-      const glm::vec3 actual = sumBrightTexels(bright, glm::vec3(N), roughness);
+      const glm::vec3 normal(N);
+      glm::vec3 actual;
+      sumBrightTexels(bright, {&normal, 1}, roughness, {&actual, 1});
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(actual[c], expected[c] / integral, 2e-4 * expected[c] / integral) << roughness;
     }

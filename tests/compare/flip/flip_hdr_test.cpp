@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/image/image_io.h"
 #include "base/parallel.h"
+#include "base/simd_level.h"
 #include "compare/flip/flip_hdr.h"
 #include "compare/flip/flip_simd.h"
 #include "compare/metrics/metrics.h"
@@ -119,8 +120,8 @@ TEST(HdrFlip, TheBrightestExposedValueComesOutAsPoint85) {
 
 class HdrFlipOracle : public ::testing::TestWithParam<std::string> {
 protected:
-  void SetUp() override { useSimdLevel(GetParam()); }
-  void TearDown() override { useSimdLevel(""); }
+  void SetUp() override { base::useSimdLevel(GetParam()); }
+  void TearDown() override { base::useSimdLevel(""); }
 };
 
 TEST_P(HdrFlipOracle, RandomImagesMatchWithEveryToneCurve) {
@@ -138,7 +139,7 @@ TEST_P(HdrFlipOracle, RandomImagesMatchWithEveryToneCurve) {
       }
 }
 
-INSTANTIATE_TEST_SUITE_P(SimdLevels, HdrFlipOracle, ::testing::ValuesIn(simdLevels()),
+INSTANTIATE_TEST_SUITE_P(SimdLevels, HdrFlipOracle, ::testing::ValuesIn(base::simdLevels()),
                          [](const auto& instance) { return instance.param; });
 
 TEST(HdrFlip, IdenticalImagesGiveExactlyZeroAtAnyExposure) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/simd_level.h"
 #include "compare/flip/flip.h"
 #include "compare/flip/flip_simd.h"
 #include "flip_oracle.h"
@@ -35,8 +36,8 @@ void expectOracle(const base::Image& reference, const base::Image& test, float p
 
 class FlipOracle : public ::testing::TestWithParam<std::string> {
 protected:
-  void SetUp() override { useSimdLevel(GetParam()); }
-  void TearDown() override { useSimdLevel(""); }
+  void SetUp() override { base::useSimdLevel(GetParam()); }
+  void TearDown() override { base::useSimdLevel(""); }
 };
 
 TEST_P(FlipOracle, RandomImagesOfOddSizesAtAllDistancesMatch) {
@@ -103,12 +104,12 @@ TEST_P(FlipOracle, SmallDifferencesOfClampedColorsMatch) {
 TEST_P(FlipOracle, TheBestLevelGivesTheSameWithinFloatRounding) {
   const base::Image a = makeImage(Kind::noise, 200, 90, 11), b = makeImage(Kind::noise, 200, 90, 12);
   const base::Image here = flipMap(a, b);
-  useSimdLevel("");
+  base::useSimdLevel("");
   const base::Image best = flipMap(a, b);
   for (std::size_t i = 0; i < best.pixels.size(); ++i) ASSERT_NEAR(here.pixels[i], best.pixels[i], 2e-5f) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(SimdLevels, FlipOracle, ::testing::ValuesIn(simdLevels()),
+INSTANTIATE_TEST_SUITE_P(SimdLevels, FlipOracle, ::testing::ValuesIn(base::simdLevels()),
                          [](const auto& instance) { return instance.param; });
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/simd_level.h"
 #include "compare/flip/flip.h"
 #include "compare/flip/flip_constants.h"
 #include "compare/flip/flip_filters.h"
@@ -59,8 +60,8 @@ TEST(FlipParts, PixelsPerDegreeOfTheDefaultScreen) {
 
 class FlipDecoding : public ::testing::TestWithParam<std::string> {
 protected:
-  void SetUp() override { useSimdLevel(GetParam()); }
-  void TearDown() override { useSimdLevel(""); }
+  void SetUp() override { base::useSimdLevel(GetParam()); }
+  void TearDown() override { base::useSimdLevel(""); }
 
   // Rows of every length around a vector's, decoded, against the exact planes.
   template <typename Exact>
@@ -139,12 +140,12 @@ TEST_P(FlipDecoding, NoValueBecomesNanAtAnyExposure) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(SimdLevels, FlipDecoding, ::testing::ValuesIn(simdLevels()),
+INSTANTIATE_TEST_SUITE_P(SimdLevels, FlipDecoding, ::testing::ValuesIn(base::simdLevels()),
                          [](const auto& instance) { return instance.param; });
 
 TEST(FlipParts, AnUnknownSimdLevelIsAUsageError) {
-  EXPECT_THROW(useSimdLevel("AVX9"), base::Error);
-  EXPECT_FALSE(simdLevels().empty());
+  EXPECT_THROW(base::useSimdLevel("AVX9"), base::Error);
+  EXPECT_FALSE(base::simdLevels().empty());
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include "base/gathered.h"
 #include "base/parallel.h"
+#include "base/simd_level.h"
 #include "compare/flip/flip_hdr.h"
 #include "compare/flip/flip_swap.h"
 #include "compare/metrics/error_code.h"
@@ -105,12 +106,12 @@ TEST(FlipSwap, OtherFilterSizesAreAsInTheWholePicture) {
 }
 
 TEST(FlipSwap, EveryInstructionSetIsAsItsOwnWholePicture) {
-  for (const std::string& level : simdLevels()) {
-    useSimdLevel(level);
+  for (const std::string& level : base::simdLevels()) {
+    base::useSimdLevel(level);
     expectAsWhole(toBytes(test::makeImage(test::Kind::smooth, kWidth, kHeight, 7)),
                   toBytes(test::makeImage(test::Kind::noise8, kWidth, kHeight, 8)), kDefaultPixelsPerDegree);
   }
-  useSimdLevel("");
+  base::useSimdLevel("");
 }
 
 TEST(FlipSwap, WhatIsEqualIsZeroHoweverManyOthersDiffer) {

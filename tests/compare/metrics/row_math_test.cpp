@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/simd_level.h"
 #include "compare/flip/flip_simd.h"
 #include "compare/metrics/measure.h"
 #include "compare/metrics/vector_math.h"
@@ -27,7 +28,7 @@ TEST(RowMath, RootsAndPowersAreWithinWhatTheyPromise) {
 
 class BestSimdLevelAgain {
 public:
-  ~BestSimdLevelAgain() { useSimdLevel(""); }
+  ~BestSimdLevelAgain() { base::useSimdLevel(""); }
 };
 
 TEST(RowMath, TheFiguresAreTheSameToTheLastBitByEveryInstructionSet) {
@@ -41,8 +42,8 @@ TEST(RowMath, TheFiguresAreTheSameToTheLastBitByEveryInstructionSet) {
   const MeasureRequest request{.metrics = {"ssim", "msssim", "deltae", "rmse", "relmse", "psnr", "maxabs", "bias"},
                                .statistics = {"deltae.fraction_over(5)"}};
   std::vector<Figure> first;
-  for (const std::string& level : simdLevels()) {
-    useSimdLevel(level);
+  for (const std::string& level : base::simdLevels()) {
+    base::useSimdLevel(level);
     const std::vector<Figure> values = measureRegions({reference, test}, {list}, request).regions[0].values;
     if (first.empty()) first = values;
     ASSERT_EQ(values.size(), first.size());
