@@ -1,4 +1,4 @@
-// FLIP's differences on rows of filtered pixels: colour (HyAB of Hunt-adjusted CIELab), features, and both together.
+// FLIP's differences on filtered pixels: colour (HyAB of Hunt-adjusted CIELab), features, and both together.
 #include <cmath>
 
 #include "compare/flip/flip_constants.h"
@@ -62,11 +62,11 @@ HWY_INLINE Clamping clamping(D d, V c, V dc) {
   return {change, hn::Sub(change, otherChange)};
 }
 
-HWY_INLINE Triple loadColors(D d, const FilteredRow& row, int i) {
+HWY_INLINE Triple loadColors(D d, const FilteredColumns& row, int i) {
   return {hn::LoadU(d, row.y + i), hn::LoadU(d, row.xMinusY + i), hn::LoadU(d, row.yMinusZ + i)};
 }
 
-HWY_INLINE void storeColors(D d, const Triple& v, const FilteredRow& row, int i) {
+HWY_INLINE void storeColors(D d, const Triple& v, const FilteredColumns& row, int i) {
   hn::StoreU(v.x, d, row.y + i);
   hn::StoreU(v.y, d, row.xMinusY + i);
   hn::StoreU(v.z, d, row.yMinusZ + i);
@@ -82,7 +82,7 @@ HWY_INLINE Triple toXyz(D d, const Triple& opponent, const Triple& change) {
 // Of the reference's filtered (Y, X-Y, Y-Z), in place, XYZ; and of its difference from the test's the difference in
 // XYZ. Linear RGB is clamped to [0,1] on the way: XYZ is taken as it came, plus what clamping changes, which is mostly
 // nothing.
-HWY_INLINE void clampRow(const FilteredRow& reference, const FilteredRow& difference, int count) {
+HWY_INLINE void clampRow(const FilteredColumns& reference, const FilteredColumns& difference, int count) {
   const D d;
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
     const Triple color = loadColors(d, reference, i), dcolor = loadColors(d, difference, i);
@@ -97,7 +97,7 @@ HWY_INLINE void clampRow(const FilteredRow& reference, const FilteredRow& differ
 // HyAB between CIELab colours whose a and b are scaled by 0.01 L (Hunt): |dL| + sqrt(da^2 + db^2). From XYZ and
 // differences, in differences throughout: the power 0.7 that follows would make the rounding of two colours of 100
 // visible where the images hardly differ.
-HWY_INLINE void hyabRow(const FilteredRow& reference, const FilteredRow& difference, int count, float* out) {
+HWY_INLINE void hyabRow(const FilteredColumns& reference, const FilteredColumns& difference, int count, float* out) {
   const D d;
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
     const Triple xyz = loadColors(d, reference, i), dxyz = loadColors(d, difference, i);
@@ -116,7 +116,7 @@ HWY_INLINE V differ(D d, const float* a, const float* b) {
 }
 
 // The feature difference: (max(|d edge|, |d point|)/sqrt 2)^0.5, at most 1.
-HWY_INLINE V featureDifference(D d, const FilteredRow& a, const FilteredRow& b, int i) {
+HWY_INLINE V featureDifference(D d, const FilteredColumns& a, const FilteredColumns& b, int i) {
   const V most = hn::Max(differ(d, a.edge2 + i, b.edge2 + i), differ(d, a.point2 + i, b.point2 + i));
   return hn::Min(hn::Sqrt(hn::Mul(most, hn::Set(d, 0.707106781f))), hn::Set(d, 1.f));
 }
@@ -124,8 +124,8 @@ HWY_INLINE V featureDifference(D d, const FilteredRow& a, const FilteredRow& b, 
 constexpr float kKnee = 0.4f * flip_constants::kMaxColorDifference; // this HyAB^0.7 goes to 0.95
 
 // out.flip holds HyAB, and is replaced.
-template <bool kParts> HWY_INLINE void combineRow(const FilteredRow& reference, const FilteredRow& test, int count,
-                                                  float log2OfLowSlope, const DifferenceRow& out) {
+template <bool kParts> HWY_INLINE void combineRow(const FilteredColumns& reference, const FilteredColumns& test, int count,
+                                                  float log2OfLowSlope, const Differences& out) {
   const D d;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.f);
   for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
@@ -157,8 +157,8 @@ template <bool kParts> HWY_INLINE void combineRow(const FilteredRow& reference, 
 }
 
 // Three loops, because one would be a chain longer than what a processor looks ahead.
-void Differences(const FilteredRow& reference, const FilteredRow& test, int count, float log2OfLowSlope,
-                 const DifferenceRow& out) {
+void ComputeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count, float log2OfLowSlope,
+                 const Differences& out) {
   clampRow(reference, test, count);
   hyabRow(reference, test, count, out.flip);
   if (out.color)
@@ -173,13 +173,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace parity::compare {
 namespace {
-HWY_EXPORT(Differences);
+HWY_EXPORT(ComputeDifferences);
 } // namespace
 
-void differenceRow(const FilteredRow& reference, const FilteredRow& test, int count, const DifferenceRow& out) {
+void computeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count, const Differences& out) {
   static const float log2OfLowSlope =
       std::log2(0.95f / (0.4f * flip_constants::kMaxColorDifference)); // of 0.95/knee: the colour difference's slope
-  HWY_DYNAMIC_DISPATCH(Differences)(reference, test, count, log2OfLowSlope, out);
+  HWY_DYNAMIC_DISPATCH(ComputeDifferences)(reference, test, count, log2OfLowSlope, out);
 }
 
 } // namespace parity::compare

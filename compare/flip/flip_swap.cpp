@@ -39,9 +39,9 @@ public:
             static_cast<std::size_t>(roundUp(2 * m_margin + kTileWidth + kMaxSimdStep, 2 * kAlignment) + kAlignment)) {
     m_referenceRows = allocate(kReferencePlanes * m_stride * static_cast<std::size_t>(m_windowRows));
     m_ring = allocate(kSourcePlanes * m_stride * static_cast<std::size_t>(m_ringRows));
-    m_batch = allocate(kFilteredPlanes * kBatchRows * m_stride + kMaxSimdStep);
-    m_kept = allocate(kFilteredRows * kRowLength * kTileHeight);
-    m_scratch = allocate((2 * kFilteredRows + 1) * kRowLength);
+    m_batch = allocate(kFilteredPlanes * kBatchRows * m_stride);
+    m_kept = allocate(kFilteredPlaneCount * kKeptValues * kBatches);
+    m_scratch = allocate((2 * kFilteredPlaneCount + 1) * kChunkValues + kMaxSimdStep);
     m_pointers.resize(static_cast<std::size_t>(m_ringRows));
     m_colors.resize(m_pixelBytes * static_cast<std::size_t>(kTileWidth + 2 * m_radius));
   }
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t kRowLength = kTileWidth + kMaxSimdStep;
+  static constexpr std::size_t kKeptValues = kTileWidth * kBatchRows; // of a plane of a batch
   // Of each batch of rows the blocks of columns that are filtered, a bit each.
   using Blocks = std::array<std::uint8_t, kBatches>;
 
@@ -143,22 +143,18 @@ private:
   }
   int imageRowOf(int i) const { return std::clamp(m_box.y - m_radius + i, 0, m_reference.height - 1); }
 
-  // Filtered row y of the tile, as it is kept.
-  FilteredRow keptRow(int y) const {
-    float* at = m_kept.get() + kFilteredRows * kRowLength * static_cast<std::size_t>(y);
-    return {at, at + kRowLength, at + 2 * kRowLength, at + 3 * kRowLength, at + 4 * kRowLength};
+  // The reference's filtered columns of a batch from column `begin` on, as they are kept.
+  FilteredColumns keptColumns(int batch, int begin) const {
+    float* at = m_kept.get() + kFilteredPlaneCount * kKeptValues * static_cast<std::size_t>(batch);
+    return filteredColumnsAt(at + static_cast<std::ptrdiff_t>(begin) * kBatchRows, kKeptValues);
   }
-  static FilteredRow advance(const FilteredRow& row, int columns) {
-    return {row.y + columns, row.xMinusY + columns, row.yMinusZ + columns, row.edge2 + columns, row.point2 + columns};
-  }
-  FilteredRow scratchRow(int index) const {
-    float* at = m_scratch.get() + static_cast<std::size_t>(index) * kFilteredRows * kRowLength;
-    return {at, at + kRowLength, at + 2 * kRowLength, at + 3 * kRowLength, at + 4 * kRowLength};
+  FilteredColumns scratchColumns(std::size_t index) const {
+    return filteredColumnsAt(m_scratch.get() + index * kFilteredPlaneCount * kChunkValues, kChunkValues);
   }
 
-  void filterAcross(const FilterInput& input, int begin, int end) {
+  void filterAcross(const FilterInput& input, int begin, int end, int rows) {
     const int from = (m_margin + begin - m_radius) / kAlignment * kAlignment, last = m_margin + end + m_radius;
-    filterAcrossRows(m_filters, input, m_pointers.data(), m_stride, from, last, m_batch.get());
+    filterAcrossRows(m_filters, input, m_pointers.data(), m_stride, from, last, rows, m_batch.get());
   }
 
   void filterReference(const Blocks& any) {
@@ -176,11 +172,10 @@ private:
         decode(referenceAt(left(), imageRowOf(at)), row, row + m_stride, row + 2 * m_stride);
       }
       forColumns(blocks, [&](int begin, int end) {
-        filterAcross(kReferenceInput, begin, end);
+        filterAcross(kReferenceInput, begin, end, rows);
         // Runs are written from the left to the right: what one overruns is written by the next, or is not read.
-        for (int r = 0; r < rows; ++r)
-          filterAlongRow(m_filters, m_batch.get(), m_stride, r, m_margin + begin, end - begin,
-                         advance(keptRow(y + r), begin));
+        filterAlongRows(m_filters, m_batch.get(), m_stride, m_margin + begin, end - begin, rows,
+                        keptColumns(batch, begin));
       });
     }
   }
@@ -221,29 +216,35 @@ private:
         fillSwappedRow(indexed, at, row);
       }
       forColumns(blocks[static_cast<std::size_t>(batch)], [&](int begin, int end) {
-        filterAcross(kTestInput, begin, end);
-        for (int r = 0; r < rows; ++r) compareRow(indexed, y + r, r, begin, end, values);
+        filterAcross(kTestInput, begin, end, rows);
+        for (int x = begin; x < end; x += kChunkColumns)
+          compareColumns(indexed, batch, rows, x, std::min(kChunkColumns, end - x), values);
       });
     }
   }
 
-  void compareRow(const SwapIndex& indexed, int y, int r, int begin, int end, std::vector<float>& values) {
-    const int count = end - begin;
-    const auto [from, to] = indexed.placesOf(m_box.y + y, m_box.x + begin, m_box.x + end);
-    if (from == to) return;
-    // Comparing overwrites the rows' colours.
-    const FilteredRow kept = advance(keptRow(y), begin), reference = scratchRow(0), test = scratchRow(1);
-    const std::pair<float*, const float*> copies[] = {{reference.y, kept.y},
-                                                      {reference.xMinusY, kept.xMinusY},
-                                                      {reference.yMinusZ, kept.yMinusZ},
-                                                      {reference.edge2, kept.edge2},
-                                                      {reference.point2, kept.point2}};
-    for (const auto& [to_, from_] : copies) std::copy_n(from_, count, to_);
-    filterAlongRow(m_filters, m_batch.get(), m_stride, r, m_margin + begin, count, test);
-    float* flip = m_scratch.get() + 2 * kFilteredRows * kRowLength;
-    differenceRow(reference, test, count, {flip, nullptr, nullptr});
-    for (std::uint32_t place = from; place < to; ++place)
-      values[place] = flip[indexed.columnOf(place) - m_box.x - begin];
+  void compareColumns(const SwapIndex& indexed, int batch, int rows, int begin, int count, std::vector<float>& values) {
+    std::array<std::pair<std::uint32_t, std::uint32_t>, kBatchRows> places;
+    bool any = false;
+    for (int r = 0; r < rows; ++r) {
+      const auto [from, to] = places[static_cast<std::size_t>(r)] =
+          indexed.placesOf(m_box.y + batch * kBatchRows + r, m_box.x + begin, m_box.x + begin + count);
+      any |= from != to;
+    }
+    if (!any) return;
+    // Comparing overwrites the colours.
+    const FilteredColumns kept = keptColumns(batch, begin), colors = scratchColumns(0), test = scratchColumns(1);
+    const FilteredColumns reference = {colors.y, colors.xMinusY, colors.yMinusZ, kept.edge2, kept.point2};
+    const int size = count * kBatchRows;
+    std::copy_n(kept.y, size, reference.y);
+    std::copy_n(kept.xMinusY, size, reference.xMinusY);
+    std::copy_n(kept.yMinusZ, size, reference.yMinusZ);
+    filterAlongRows(m_filters, m_batch.get(), m_stride, m_margin + begin, count, rows, test);
+    float* flip = m_scratch.get() + 2 * kFilteredPlaneCount * kChunkValues;
+    computeDifferences(reference, test, size, {flip, nullptr, nullptr});
+    for (int r = 0; r < rows; ++r)
+      for (auto [place, end] = places[static_cast<std::size_t>(r)]; place < end; ++place)
+        values[place] = flip[(indexed.columnOf(place) - m_box.x - begin) * kBatchRows + r];
   }
 
   const PixelView& m_reference;
@@ -256,7 +257,7 @@ private:
   FlipBuffer m_referenceRows; // the tile's and its margin's rows, decoded
   FlipBuffer m_ring;          // rows of a swap, kSourcePlanes planes each
   FlipBuffer m_batch;         // planes of a batch, filtered across rows
-  FlipBuffer m_kept;          // the reference's filtered rows
+  FlipBuffer m_kept;          // the reference's filtered columns
   FlipBuffer m_scratch;
   std::vector<const float*> m_pointers; // to the rows of the batch's window, from the topmost
   std::vector<std::uint8_t> m_colors;   // a row of a swapped picture

@@ -10,7 +10,7 @@
 namespace parity::compare {
 namespace {
 
-constexpr int kResultRows = 3; // of DifferenceRow
+constexpr int kResultPlanes = 3; // of Differences
 
 void prefetchRow(const PixelView& image, const Rect& box, int y) {
   constexpr std::ptrdiff_t kCacheLine = 64;
@@ -32,8 +32,9 @@ TileWorkspace::TileWorkspace(const FlipFilters& filters)
   m_heldRow.assign(static_cast<std::size_t>(m_ringRows), -1);
   m_pointers.resize(static_cast<std::size_t>(m_ringRows));
   for (auto* planes : {&m_reference, &m_test})
-    *planes = allocate(kFilteredPlanes * kBatchRows * m_stride + kMaxSimdStep);
-  m_rows = allocate((2 * kFilteredRows + kResultRows) * (kTileWidth + kMaxSimdStep));
+    *planes = allocate(kFilteredPlanes * kBatchRows * m_stride);
+  m_chunk = allocate((2 * kFilteredPlaneCount + kResultPlanes) * kChunkValues + kMaxSimdStep);
+  m_resultRows = allocate(kChunkValues);
 }
 
 std::uint64_t TileWorkspace::run(const TileJob& job, const RowDecoder& decoder, const Rect& box,
@@ -104,31 +105,31 @@ void TileWorkspace::decodeInto(const ColorPlanes& planes, const PixelView& image
   }
 }
 
-FilteredRow TileWorkspace::filteredRow(std::size_t image) {
-  constexpr std::size_t kLength = kTileWidth + kMaxSimdStep;
-  float* at = m_rows.get() + image * kFilteredRows * kLength;
-  return {at, at + kLength, at + 2 * kLength, at + 3 * kLength, at + 4 * kLength};
+void TileWorkspace::writeColumns(const float* columns, int count, int rows, float* out, std::ptrdiff_t stride) {
+  if (count == kChunkColumns && rows == kBatchRows) return rowsOfColumns(columns, count, rows, out, stride);
+  rowsOfColumns(columns, count, rows, m_resultRows.get(), kChunkColumns);
+  for (int r = 0; r < rows; ++r) std::copy_n(m_resultRows.get() + r * kChunkColumns, count, out + r * stride);
 }
 
 void TileWorkspace::runColumns(const Rect& box, int y, int rows, int begin, int end, const TileOutputs& out) {
-  constexpr std::size_t kLength = kTileWidth + kMaxSimdStep;
   const int from = (m_margin + begin - m_filters.radius) / kAlignment * kAlignment;
   const int last = m_margin + end + m_filters.radius;
-  filterAcrossRows(m_filters, kReferenceInput, m_pointers.data(), m_stride, from, last, m_reference.get());
-  filterAcrossRows(m_filters, kTestInput, m_pointers.data(), m_stride, from, last, m_test.get());
-  const FilteredRow reference = filteredRow(0), test = filteredRow(1);
-  float* results = m_rows.get() + 2 * kFilteredRows * kLength;
-  const DifferenceRow result = {results, out.color ? results + kLength : nullptr,
-                                out.feature ? results + 2 * kLength : nullptr};
-  const int count = end - begin;
-  for (int r = 0; r < rows; ++r) {
-    filterAlongRow(m_filters, m_reference.get(), m_stride, r, m_margin + begin, count, reference);
-    filterAlongRow(m_filters, m_test.get(), m_stride, r, m_margin + begin, count, test);
-    differenceRow(reference, test, count, result);
-    const std::pair<float*, const float*> copies[] = {
-        {out.flip, result.flip}, {out.color, result.color}, {out.feature, result.feature}};
-    for (const auto& [to, values] : copies)
-      if (to) std::copy(values, values + count, to + (y - box.y + r) * out.stride + begin);
+  filterAcrossRows(m_filters, kReferenceInput, m_pointers.data(), m_stride, from, last, rows, m_reference.get());
+  filterAcrossRows(m_filters, kTestInput, m_pointers.data(), m_stride, from, last, rows, m_test.get());
+  const FilteredColumns reference = filteredColumnsAt(m_chunk.get(), kChunkValues);
+  const FilteredColumns test = filteredColumnsAt(m_chunk.get() + kFilteredPlaneCount * kChunkValues, kChunkValues);
+  float* results = m_chunk.get() + 2 * kFilteredPlaneCount * kChunkValues;
+  const Differences result = {results, out.color ? results + kChunkValues : nullptr,
+                              out.feature ? results + 2 * kChunkValues : nullptr};
+  const std::pair<float*, const float*> written[] = {
+      {out.flip, result.flip}, {out.color, result.color}, {out.feature, result.feature}};
+  for (int x = begin; x < end; x += kChunkColumns) {
+    const int count = std::min(kChunkColumns, end - x);
+    filterAlongRows(m_filters, m_reference.get(), m_stride, m_margin + x, count, rows, reference);
+    filterAlongRows(m_filters, m_test.get(), m_stride, m_margin + x, count, rows, test);
+    computeDifferences(reference, test, count * kBatchRows, result);
+    for (const auto& [to, values] : written)
+      if (to) writeColumns(values, count, rows, to + (y - box.y) * out.stride + x, out.stride);
   }
 }
 

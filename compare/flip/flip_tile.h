@@ -47,7 +47,7 @@ private:
   void fillWindow(const TileJob& job, const RowDecoder& decoder, const Rect& box, int y);
   void decodeInto(const ColorPlanes& planes, const PixelView& image, const RowDecoder& decoder, const Rect& box, int y);
   void runColumns(const Rect& box, int y, int rows, int begin, int end, const TileOutputs& out);
-  FilteredRow filteredRow(std::size_t image);
+  void writeColumns(const float* columns, int count, int rows, float* out, std::ptrdiff_t stride);
 
   const FlipFilters& m_filters;
   int m_margin;         // columns left of the tile in each row: the radius, rounded up so that columns stay aligned
@@ -58,7 +58,8 @@ private:
   std::vector<int> m_heldRow;                             // which row of the image each slot holds; -1: none
   std::vector<const float*> m_pointers;                   // to the rows of the batch's window, from the topmost
   hwy::AlignedFreeUniquePtr<float[]> m_reference, m_test; // planes of the batch, filtered across rows
-  hwy::AlignedFreeUniquePtr<float[]> m_rows;              // filtered rows of both images, and the results
+  hwy::AlignedFreeUniquePtr<float[]> m_chunk;             // filtered columns of both images, and the results
+  hwy::AlignedFreeUniquePtr<float[]> m_resultRows;        // of a chunk that the tile's end cuts
 };
 
 // Hands out workspaces to threads, and takes them back: as many are made as are in use at once.
