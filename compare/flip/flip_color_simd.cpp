@@ -1,5 +1,6 @@
 // FLIP's differences on filtered pixels: colour (HyAB of Hunt-adjusted CIELab), features, and both together.
 #include <cmath>
+#include <type_traits>
 
 #include "compare/flip/flip_constants.h"
 #include "compare/flip/flip_simd.h"
@@ -17,9 +18,9 @@ namespace parity::compare::HWY_NAMESPACE {
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
-struct Triple {
-  V x, y, z;
-};
+using Triple = Three<V>;
+
+constexpr bool kHasManyRegisters = HWY_TARGET <= HWY_AVX3; // 32 vectors
 
 HWY_INLINE Triple transform(D d, const Matrix3& a, const Triple& v) {
   const auto row = [&](int i) HWY_ATTR {
@@ -31,24 +32,33 @@ HWY_INLINE Triple transform(D d, const Matrix3& a, const Triple& v) {
 
 HWY_INLINE V clamp01(D d, V v) { return hn::Min(hn::Max(v, hn::Zero(d)), hn::Set(d, 1.f)); }
 
-// CIE 1976 lightness function f: t^(1/3) above (6/29)^3, else t/(3 (6/29)^2) + 4/29, of t in [0, 1.1]; and how much it
-// falls from t to t - dt: of two cube roots p and q by dt/(p^2 + pq + q^2), which keeps the accuracy of dt however
-// small.
+// CIE 1976 lightness function f: t^(1/3) above (6/29)^3, else t/(3 (6/29)^2) + 4/29, of X, Y and Z in [0, 1.1]; and how
+// much it falls from t to t - dt: of two cube roots p and q by dt/(p^2 + pq + q^2), which keeps the accuracy of dt
+// however small.
 struct Lightness {
-  V f, fOther, difference; // of t, of t - dt, f - fOther
+  Triple f, fOther, difference; // of t, of t - dt, f - fOther
 };
-HWY_INLINE Lightness lightness(D d, V t, V dt) {
+HWY_INLINE Lightness lightness(D d, const Triple& t, const Triple& dt) {
   constexpr float kDelta = 6.f / 29.f;
   const V bend = hn::Set(d, kDelta * kDelta * kDelta), slope = hn::Set(d, 1.f / (3.f * kDelta * kDelta));
   const V least = hn::Set(d, 1e-3f), offset = hn::Set(d, 4.f / 29.f);
-  const V other = hn::Sub(t, dt);
-  const V p = fastCbrt(d, hn::Max(t, least)), q = fastCbrt(d, hn::Max(other, least));
-  const V f = hn::IfThenElse(hn::Gt(t, bend), p, hn::MulAdd(t, slope, offset));
-  const V fOther = hn::IfThenElse(hn::Gt(other, bend), q, hn::MulAdd(other, slope, offset));
-  const V ofRoots = hn::Mul(dt, fastReciprocal(d, hn::MulAdd(p, hn::Add(p, q), hn::Mul(q, q))));
-  const V ofLines = hn::Mul(dt, slope);
-  V difference = hn::IfThenElse(hn::Gt(hn::Min(t, other), bend), ofRoots, hn::Sub(f, fOther));
-  difference = hn::IfThenElse(hn::Le(hn::Max(t, other), bend), ofLines, difference);
+  const auto atLeast = [=](V v) HWY_ATTR { return hn::Max(v, least); };
+  const auto choose = [=](V v, V root) HWY_ATTR {
+    return hn::IfThenElse(hn::Gt(v, bend), root, hn::MulAdd(v, slope, offset));
+  };
+  const Triple other = each([](V v, V dv) HWY_ATTR { return hn::Sub(v, dv); }, t, dt);
+  const Triple p = fastCbrt(d, each(atLeast, t)), q = fastCbrt(d, each(atLeast, other));
+  const Triple inverse = fastReciprocal(d, each([](V v, V w) HWY_ATTR {
+    return hn::MulAdd(v, hn::Add(v, w), hn::Mul(w, w));
+  }, p, q));
+  const Triple f = each(choose, t, p), fOther = each(choose, other, q);
+  const Triple ofRoots = each([](V dv, V v) HWY_ATTR { return hn::Mul(dv, v); }, dt, inverse);
+  const Triple ofOne = each([](V v, V w) HWY_ATTR { return hn::Sub(v, w); }, f, fOther);
+  const Triple difference = each([=](V v, V w, V dv, V roots, V one) HWY_ATTR {
+    const auto isRoot = hn::Gt(v, bend), otherIsRoot = hn::Gt(w, bend);
+    return hn::IfThenElse(hn::Or(isRoot, otherIsRoot), hn::IfThenElse(hn::And(isRoot, otherIsRoot), roots, one),
+                          hn::Mul(dv, slope));
+  }, t, other, dt, ofRoots, ofOne);
   return {f, fOther, difference};
 }
 
@@ -94,23 +104,6 @@ HWY_INLINE void clampRow(const FilteredColumns& reference, const FilteredColumns
   }
 }
 
-// HyAB between CIELab colours whose a and b are scaled by 0.01 L (Hunt): |dL| + sqrt(da^2 + db^2). From XYZ and
-// differences, in differences throughout: the power 0.7 that follows would make the rounding of two colours of 100
-// visible where the images hardly differ.
-HWY_INLINE void hyabRow(const FilteredColumns& reference, const FilteredColumns& difference, int count, float* out) {
-  const D d;
-  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
-    const Triple xyz = loadColors(d, reference, i), dxyz = loadColors(d, difference, i);
-    const Lightness x = lightness(d, xyz.x, dxyz.x), y = lightness(d, xyz.y, dxyz.y), z = lightness(d, xyz.z, dxyz.z);
-    // With g = fx - fy, a = 5 L g: a difference of products, L dg + dL g'.
-    const V l = hn::MulSub(hn::Set(d, 116.f), y.f, hn::Set(d, 16.f)), dl = hn::Mul(hn::Set(d, 116.f), y.difference);
-    const V da = hn::MulAdd(l, hn::Sub(x.difference, y.difference), hn::Mul(dl, hn::Sub(x.fOther, y.fOther)));
-    const V db = hn::MulAdd(l, hn::Sub(y.difference, z.difference), hn::Mul(dl, hn::Sub(y.fOther, z.fOther)));
-    const V chroma2 = hn::MulAdd(hn::Mul(da, da), hn::Set(d, 25.f), hn::Mul(hn::Mul(db, db), hn::Set(d, 4.f)));
-    hn::StoreU(hn::Add(hn::Abs(dl), hn::Sqrt(chroma2)), d, out + i);
-  }
-}
-
 HWY_INLINE V differ(D d, const float* a, const float* b) {
   return hn::AbsDiff(hn::Sqrt(hn::LoadU(d, a)), hn::Sqrt(hn::LoadU(d, b)));
 }
@@ -121,50 +114,93 @@ HWY_INLINE V featureDifference(D d, const FilteredColumns& a, const FilteredColu
   return hn::Min(hn::Sqrt(hn::Mul(most, hn::Set(d, 0.707106781f))), hn::Set(d, 1.f));
 }
 
+// HyAB between CIELab colours whose a and b are scaled by 0.01 L (Hunt): |dL| + sqrt(da^2 + db^2). From XYZ and
+// differences, in differences throughout: the power 0.7 that follows would make the rounding of two colours of 100
+// visible where the images hardly differ.
+// The feature difference, whose roots take a unit of their own, goes along: it takes the place of the test's edges.
+HWY_INLINE void hyabRow(const FilteredColumns& reference, const FilteredColumns& test, int count, float* out) {
+  const D d;
+  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
+    const Triple xyz = loadColors(d, reference, i), dxyz = loadColors(d, test, i);
+    const auto& [f, fOther, difference] = lightness(d, xyz, dxyz);
+    // With g = fx - fy, a = 5 L g: a difference of products, L dg + dL g'.
+    const V l = hn::MulSub(hn::Set(d, 116.f), f.y, hn::Set(d, 16.f)), dl = hn::Mul(hn::Set(d, 116.f), difference.y);
+    const V da = hn::MulAdd(l, hn::Sub(difference.x, difference.y), hn::Mul(dl, hn::Sub(fOther.x, fOther.y)));
+    const V db = hn::MulAdd(l, hn::Sub(difference.y, difference.z), hn::Mul(dl, hn::Sub(fOther.y, fOther.z)));
+    const V chroma2 = hn::MulAdd(hn::Mul(da, da), hn::Set(d, 25.f), hn::Mul(hn::Mul(db, db), hn::Set(d, 4.f)));
+    hn::StoreU(hn::Add(hn::Abs(dl), hn::Sqrt(chroma2)), d, out + i);
+    hn::StoreU(featureDifference(d, reference, test, i), d, test.edge2 + i);
+  }
+}
+
 constexpr float kKnee = 0.4f * flip_constants::kMaxColorDifference; // this HyAB^0.7 goes to 0.95
 
+// As many vectors side by side as there are registers for.
+using Group = std::conditional_t<kHasManyRegisters, Two<Two<V>>, Two<V>>;
+HWY_INLINE V loadGroup(D d, const float* p, const V*) { return hn::LoadU(d, p); }
+template <class T> HWY_INLINE Two<T> loadGroup(D d, const float* p, const Two<T>*) {
+  constexpr std::size_t kVectors = sizeof(T) / sizeof(V);
+  return {loadGroup(d, p, static_cast<const T*>(nullptr)),
+          loadGroup(d, p + kVectors * hn::Lanes(d), static_cast<const T*>(nullptr))};
+}
+HWY_INLINE void storeGroup(D d, const V& v, float* p) { hn::StoreU(v, d, p); }
+template <class T> HWY_INLINE void storeGroup(D d, const Two<T>& v, float* p) {
+  constexpr std::size_t kVectors = sizeof(T) / sizeof(V);
+  storeGroup(d, v.x, p);
+  storeGroup(d, v.y, p + kVectors * hn::Lanes(d));
+}
+
 // out.flip holds HyAB, and is replaced.
-template <bool kParts> HWY_INLINE void combineRow(const FilteredColumns& reference, const FilteredColumns& test, int count,
-                                                  float log2OfLowSlope, const Differences& out) {
+template <bool kParts>
+HWY_INLINE void combineRow(const float* features, int count, float log2OfLowSlope, const Differences& out) {
   const D d;
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.f);
-  for (int i = 0; i < count; i += static_cast<int>(hn::Lanes(d))) {
-    const V hyab = hn::LoadU(d, out.flip + i);
-    const auto differs = hn::Gt(hyab, zero);
+  constexpr int kStep = sizeof(Group) / sizeof(float);
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.f), knee = hn::Set(d, kKnee);
+  for (int i = 0; i < count; i += kStep) {
+    const Group hyab = loadGroup(d, out.flip + i, static_cast<const Group*>(nullptr));
+    const Group feature = loadGroup(d, features + i, static_cast<const Group*>(nullptr));
 
     // c = HyAB^0.7 goes to 0.95 c/knee below the knee, and on from there to 1 at the largest. The logarithm of the
     // result is 0.7 log2 HyAB + log2(0.95/knee), and near 1 the series of log(1-u), u <= 0.05: u^6/6 is left out, 3e-9.
-    const V logC = hn::Mul(hn::Set(d, 0.7f), fastLog2(d, hn::Max(hyab, hn::Set(d, 1e-30f))));
-    const V c = fastExp2(d, logC);
-    constexpr float kSlope = 0.05f / (flip_constants::kMaxColorDifference - kKnee);
-    const V u = hn::Max(hn::NegMulAdd(hn::Sub(c, hn::Set(d, kKnee)), hn::Set(d, kSlope), hn::Set(d, 0.05f)), zero);
-    V series = hn::MulAdd(u, hn::Set(d, 0.2f), hn::Set(d, 0.25f));
-    series = hn::MulAdd(u, series, hn::Set(d, 1.f / 3.f));
-    series = hn::MulAdd(u, series, hn::Set(d, 0.5f));
-    series = hn::Mul(hn::Mul(u, hn::Set(d, -1.442695041f)), hn::MulAdd(u, series, one));
-    const auto low = hn::Lt(c, hn::Set(d, kKnee));
-    const V logColor = hn::IfThenElse(low, hn::Add(logC, hn::Set(d, log2OfLowSlope)), series);
-
-    const V feature = featureDifference(d, reference, test, i);
-    const V flip = hn::Min(fastExp2(d, hn::Mul(hn::Sub(one, feature), logColor)), one);
-    hn::StoreU(hn::IfThenElseZero(differs, flip), d, out.flip + i);
+    const Group log = fastLog2(d, each([=](V v) HWY_ATTR { return hn::Max(v, hn::Set(d, 1e-30f)); }, hyab));
+    const Group logC = each([=](V v) HWY_ATTR { return hn::Mul(hn::Set(d, 0.7f), v); }, log);
+    const Group c = fastExp2(d, logC);
+    const Group u = each([=](V v) HWY_ATTR {
+      constexpr float kSlope = 0.05f / (flip_constants::kMaxColorDifference - kKnee);
+      return hn::Max(hn::NegMulAdd(hn::Sub(v, knee), hn::Set(d, kSlope), hn::Set(d, 0.05f)), zero);
+    }, c);
+    const Group logHigh = each([=](V v) HWY_ATTR {
+      V series = hn::MulAdd(v, hn::Set(d, 0.2f), hn::Set(d, 0.25f));
+      series = hn::MulAdd(v, series, hn::Set(d, 1.f / 3.f));
+      series = hn::MulAdd(v, series, hn::Set(d, 0.5f));
+      return hn::Mul(hn::Mul(v, hn::Set(d, -1.442695041f)), hn::MulAdd(v, series, one));
+    }, u);
+    const Group exponent = each([=](V v, V logV, V high, V part) HWY_ATTR {
+      const V logColor = hn::IfThenElse(hn::Lt(v, knee), hn::Add(logV, hn::Set(d, log2OfLowSlope)), high);
+      return hn::Mul(hn::Sub(one, part), logColor);
+    }, c, logC, logHigh, feature);
+    const Group power = fastExp2(d, exponent);
+    storeGroup(d, each([=](V v, V h) HWY_ATTR { return hn::IfThenElseZero(hn::Gt(h, zero), hn::Min(v, one)); }, power, hyab),
+               out.flip + i);
     if constexpr (kParts) {
-      const V color = hn::IfThenElse(low, hn::Mul(c, hn::Set(d, 0.95f / kKnee)), hn::Sub(one, u));
-      hn::StoreU(hn::IfThenElseZero(differs, color), d, out.color + i);
-      hn::StoreU(feature, d, out.feature + i);
+      storeGroup(d, each([=](V v, V w, V h) HWY_ATTR {
+        const V color = hn::IfThenElse(hn::Lt(v, knee), hn::Mul(v, hn::Set(d, 0.95f / kKnee)), hn::Sub(one, w));
+        return hn::IfThenElseZero(hn::Gt(h, zero), color);
+      }, c, u, hyab), out.color + i);
+      storeGroup(d, feature, out.feature + i);
     }
   }
 }
 
 // Three loops, because one would be a chain longer than what a processor looks ahead.
-void ComputeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count, float log2OfLowSlope,
+HWY_FLATTEN void ComputeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count, float log2OfLowSlope,
                  const Differences& out) {
   clampRow(reference, test, count);
   hyabRow(reference, test, count, out.flip);
   if (out.color)
-    combineRow<true>(reference, test, count, log2OfLowSlope, out);
+    combineRow<true>(test.edge2, count, log2OfLowSlope, out);
   else
-    combineRow<false>(reference, test, count, log2OfLowSlope, out);
+    combineRow<false>(test.edge2, count, log2OfLowSlope, out);
 }
 
 } // namespace parity::compare::HWY_NAMESPACE

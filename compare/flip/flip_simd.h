@@ -87,8 +87,8 @@ void filterAlongRows(const FlipFilters& filters, const float* values, std::size_
                      int rowCount, const FilteredColumns& out);
 
 // The metric from filtered values (of kReferenceInput and kTestInput): colour and feature difference and what they
-// come to, each in [0,1] (Andersson 2020, sections 4.1.4 to 4.3). color and feature may be null. The colours given are
-// overwritten. Overruns by kMaxSimdStep.
+// come to, each in [0,1] (Andersson 2020, sections 4.1.4 to 4.3). color and feature may be null. The colours given and
+// the test's edges are overwritten. Overruns by kMaxSimdStep.
 struct Differences {
   float *flip, *color, *feature;
 };
