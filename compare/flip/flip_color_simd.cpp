@@ -203,6 +203,23 @@ HWY_FLATTEN void ComputeDifferences(const FilteredColumns& reference, const Filt
     combineRow<false>(test.edge2, count, log2OfLowSlope, out);
 }
 
+void KeepLargest(const float* values, int count, float mark, float* largest, float* marks) {
+  const D d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  int i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    const V value = hn::LoadU(d, values + i), held = hn::LoadU(d, largest + i);
+    const auto isLarger = hn::Gt(value, held);
+    hn::StoreU(hn::IfThenElse(isLarger, value, held), d, largest + i);
+    hn::StoreU(hn::IfThenElse(isLarger, hn::Set(d, mark), hn::LoadU(d, marks + i)), d, marks + i);
+  }
+  for (; i < count; ++i)
+    if (values[i] > largest[i]) {
+      largest[i] = values[i];
+      marks[i] = mark;
+    }
+}
+
 } // namespace parity::compare::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -210,12 +227,17 @@ HWY_AFTER_NAMESPACE();
 namespace parity::compare {
 namespace {
 HWY_EXPORT(ComputeDifferences);
+HWY_EXPORT(KeepLargest);
 } // namespace
 
 void computeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count, const Differences& out) {
   static const float log2OfLowSlope =
       std::log2(0.95f / (0.4f * flip_constants::kMaxColorDifference)); // of 0.95/knee: the colour difference's slope
   HWY_DYNAMIC_DISPATCH(ComputeDifferences)(reference, test, count, log2OfLowSlope, out);
+}
+
+void keepLargest(const float* values, int count, float mark, float* largest, float* marks) {
+  HWY_DYNAMIC_DISPATCH(KeepLargest)(values, count, mark, largest, marks);
 }
 
 } // namespace parity::compare

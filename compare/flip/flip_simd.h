@@ -99,6 +99,9 @@ void computeDifferences(const FilteredColumns& reference, const FilteredColumns&
 // rows.
 void rowsOfColumns(const float* columns, int count, int rowCount, float* rows, std::ptrdiff_t stride);
 
+// Where a value is above the largest so far, it takes its place, and `mark` that of the mark beside it.
+void keepLargest(const float* values, int count, float mark, float* largest, float* marks);
+
 // Compares `count` bytes of two rows in cells of `cell` bytes: sets bit i of `bits` where cell i differs in any bit.
 // (The last cell may be shorter.)
 void markDifferences(const void* a, const void* b, std::size_t count, std::size_t cell, std::uint64_t* bits);

@@ -12,13 +12,15 @@ namespace {
 
 constexpr int kResultPlanes = 3; // of Differences
 
-void prefetchRow(const PixelView& image, const Rect& box, int y) {
+// Columns first..end-1 of row y.
+void prefetchRow(const PixelView& image, int first, int end, int y) {
   constexpr std::ptrdiff_t kCacheLine = 64;
   const auto size = static_cast<std::ptrdiff_t>(image.floats ? sizeof(float) : sizeof(std::uint8_t));
   const auto* pixels = image.floats ? reinterpret_cast<const std::uint8_t*>(image.floats) : image.bytes;
-  const std::uint8_t* row = pixels + size * (y * image.stride + static_cast<std::ptrdiff_t>(box.x) * image.channels);
-  const std::ptrdiff_t bytes = size * box.width * image.channels;
-  for (std::ptrdiff_t at = 0; at < bytes; at += kCacheLine) hwy::Prefetch(row + at);
+  const std::uint8_t* row = pixels + size * y * image.stride;
+  const std::ptrdiff_t last = size * end * image.channels - 1;
+  for (std::ptrdiff_t at = size * first * image.channels; at < last; at += kCacheLine) hwy::Prefetch(row + at);
+  hwy::Prefetch(row + last);
 }
 
 } // namespace
@@ -66,6 +68,11 @@ std::uint64_t TileWorkspace::run(const TileJob& job, const RowDecoder& decoder, 
   return filtered;
 }
 
+int TileWorkspace::firstColumn(const Rect& box) const { return std::max(box.x - m_filters.radius, 0); }
+int TileWorkspace::endColumn(const Rect& box, const PixelView& image) const {
+  return std::min(box.x + box.width + m_filters.radius, image.width);
+}
+
 void TileWorkspace::fillWindow(const TileJob& job, const RowDecoder& decoder, const Rect& box, int y) {
   for (int i = 0; i < m_ringRows; ++i) {
     const int source = std::clamp(y - m_filters.radius + i, 0, job.reference.height - 1);
@@ -76,7 +83,8 @@ void TileWorkspace::fillWindow(const TileJob& job, const RowDecoder& decoder, co
     m_heldRow[slot] = source;
     // Rows of a tile are short and far apart: the processor does not foresee the next one.
     if (source + 1 < job.reference.height)
-      for (const PixelView* image : {&job.reference, &job.test}) prefetchRow(*image, box, source + 1);
+      for (const PixelView* image : {&job.reference, &job.test})
+        prefetchRow(*image, firstColumn(box), endColumn(box, *image), source + 1);
     const auto plane = [&](SourcePlane p) { return row + p * m_stride; };
     decodeInto({plane(kReferenceY), plane(kReferenceXMinusY), plane(kReferenceYMinusZ)}, job.reference, decoder, box,
                source);
@@ -91,7 +99,7 @@ void TileWorkspace::fillWindow(const TileJob& job, const RowDecoder& decoder, co
 void TileWorkspace::decodeInto(const ColorPlanes& planes, const PixelView& image, const RowDecoder& decoder,
                                const Rect& box, int y) {
   const int left = box.x - m_filters.radius, right = box.x + box.width + m_filters.radius;
-  const int first = std::max(left, 0), end = std::min(right, image.width);
+  const int first = firstColumn(box), end = endColumn(box, image);
   const int at = m_margin + first - box.x, count = end - first;
   const ColorPlanes inside = {planes.y + at, planes.xMinusY + at, planes.yMinusZ + at};
   const std::ptrdiff_t offset = y * image.stride + static_cast<std::ptrdiff_t>(first) * image.channels;

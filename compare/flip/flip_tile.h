@@ -44,6 +44,9 @@ public:
   std::uint64_t run(const TileJob& job, const RowDecoder& decoder, const Rect& box, const TileOutputs& out);
 
 private:
+  // The columns of an image that a box needs.
+  int firstColumn(const Rect& box) const;
+  int endColumn(const Rect& box, const PixelView& image) const;
   void fillWindow(const TileJob& job, const RowDecoder& decoder, const Rect& box, int y);
   void decodeInto(const ColorPlanes& planes, const PixelView& image, const RowDecoder& decoder, const Rect& box, int y);
   void runColumns(const Rect& box, int y, int rows, int begin, int end, const TileOutputs& out);

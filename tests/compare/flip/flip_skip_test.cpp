@@ -49,7 +49,7 @@ TEST(FlipSkip, EqualPartsAreNotFilteredAndTheRestIsTheOracles) {
   const std::uint64_t reached =
       reference.pixelCount() - countBeyondReach(reference, test, colorFilterRadius(FlipOptions{}.ppd));
   EXPECT_GE(maps.filteredPixels, reached);
-  // Whole blocks of 32 x 8 with their surroundings are taken: here not even three times what is reached.
+  // Whole blocks of 16 x 16 with their surroundings are taken: here not even three times what is reached.
   EXPECT_LT(maps.filteredPixels, 3 * reached);
   EXPECT_EQ(flipMaps(reference, reference).filteredPixels, 0u);
 }
