@@ -11,6 +11,7 @@ namespace parity::compare {
 namespace {
 
 constexpr int kResultPlanes = 3; // of Differences
+constexpr int kRowStep = 4;
 
 // Columns first..end-1 of row y.
 void prefetchRow(const PixelView& image, int first, int end, int y) {
@@ -44,8 +45,12 @@ std::uint64_t TileWorkspace::run(const TileJob& job, const RowDecoder& decoder, 
   std::ranges::fill(m_heldRow, -1);
   const int radius = m_filters.radius;
   std::uint64_t filtered = 0;
-  for (int y = box.y; y < box.y + box.height; y += kBatchRows) {
-    const int rows = std::min(kBatchRows, box.y + box.height - y);
+  const int bottom = box.y + box.height;
+  for (int y = box.y, rows = 0; y < bottom; y += rows) {
+    // A batch begins near the first row that a difference reaches.
+    rows = std::min(kRowStep, bottom - y);
+    if (!job.differences->differs(box.x - radius, y - radius, box.x + box.width + radius, y + rows + radius)) continue;
+    rows = std::min(kBatchRows, bottom - y);
     const auto isDirty = [&](int begin) {
       return job.differences->differs(box.x + begin - radius, y - radius,
                                       box.x + std::min(begin + kBlockWidth, box.width) + radius, y + rows + radius);
