@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kReferencePlanes = 3;
 constexpr int kBatches = kTileHeight / kBatchRows;
-static_assert(kTileWidth / kBlockWidth <= 16, "16 bits hold one for each block of a row");
+static_assert(kTileWidth / kBlockWidth <= 32, "32 bits hold one for each block of a row");
 
 std::size_t sizeOf(const PixelView& view) { return view.floats ? sizeof(float) : sizeof(std::uint8_t); }
 const std::uint8_t* bytesOf(const PixelView& view) {
@@ -53,7 +53,7 @@ public:
     Blocks any{};
     for (std::size_t s = 0; s < swaps.size(); ++s) {
       const Blocks blocks = findBlocks(swaps[s]);
-      if (std::ranges::all_of(blocks, [](std::uint16_t b) { return b == 0; })) continue;
+      if (std::ranges::all_of(blocks, [](std::uint32_t b) { return b == 0; })) continue;
       dirty.emplace_back(s, blocks);
       for (std::size_t i = 0; i < any.size(); ++i) any[i] |= blocks[i];
     }
@@ -65,7 +65,7 @@ public:
 private:
   static constexpr std::size_t kKeptValues = kTileWidth * kBatchRows; // of a plane of a batch
   // Of each batch of rows the blocks of columns that are filtered, a bit each.
-  using Blocks = std::array<std::uint16_t, kBatches>;
+  using Blocks = std::array<std::uint32_t, kBatches>;
 
   const std::uint8_t* referenceAt(int x, int y) const {
     return bytesOf(m_reference) + sizeOf(m_reference) * static_cast<std::size_t>(y * m_reference.stride) +
@@ -81,7 +81,7 @@ private:
   Blocks findBlocks(const SwapIndex& indexed) const {
     Blocks present{}, blocks{};
     if (!indexed.touches(m_box)) return blocks; // none of its pixels
-    std::vector<std::uint16_t> reached(static_cast<std::size_t>(m_box.height + 2 * m_radius), 0);
+    std::vector<std::uint32_t> reached(static_cast<std::size_t>(m_box.height + 2 * m_radius), 0);
     bool any = false;
     for (int i = 0; i < m_box.height + 2 * m_radius; ++i) {
       const int y = m_box.y - m_radius + i;
@@ -101,7 +101,7 @@ private:
     }
     if (!any) return blocks;
     for (int batch = 0; batch * kBatchRows < m_box.height; ++batch) {
-      std::uint16_t mask = 0;
+      std::uint32_t mask = 0;
       const int begin = batch * kBatchRows,
                 end = std::min(begin + kBatchRows, m_box.height) + 2 * m_radius; // places in `reached`
       for (int i = begin; i < end; ++i) mask |= reached[static_cast<std::size_t>(i)];
@@ -111,7 +111,7 @@ private:
   }
 
   // Calls act(begin, end) for each run of columns whose blocks are set.
-  template <typename Act> void forColumns(std::uint16_t blocks, const Act& act) const {
+  template <typename Act> void forColumns(std::uint32_t blocks, const Act& act) const {
     const int count = (m_box.width + kBlockWidth - 1) / kBlockWidth;
     for (int b = 0; b < count; ++b) {
       if ((blocks >> b & 1) == 0) continue;
@@ -160,7 +160,7 @@ private:
   void filterReference(const Blocks& any) {
     std::vector<char> decoded(static_cast<std::size_t>(m_windowRows), 0);
     for (int batch = 0; batch * kBatchRows < m_box.height; ++batch) {
-      const std::uint16_t blocks = any[static_cast<std::size_t>(batch)];
+      const std::uint32_t blocks = any[static_cast<std::size_t>(batch)];
       if (blocks == 0) continue;
       const int y = batch * kBatchRows, rows = std::min(kBatchRows, m_box.height - y);
       for (int i = 0; i < m_ringRows; ++i) {

@@ -18,8 +18,9 @@
 namespace parity::compare {
 
 // A tile is one task. Fixed, so that no result depends on the number of threads. The width: both images' windows of
-// rows stay in the second-level cache, and the margins that neighbours both decode are a small part.
-inline constexpr int kTileWidth = 256, kTileHeight = 256;
+// rows stay in the second-level cache, the margins that neighbours both decode are a small part, and it divides the
+// usual widths of pictures.
+inline constexpr int kTileWidth = 320, kTileHeight = 256;
 
 // Where a tile's results go: its first pixel, and how far apart rows are. color and feature may be null.
 struct TileOutputs {
