@@ -10,8 +10,8 @@
 
 namespace parity::compare {
 
-inline constexpr int kAlignment = 16;   // floats: what the columns of a batch begin at multiples of
-inline constexpr int kBlockWidth = 16;  // columns that are filtered or left out together
+inline constexpr int kAlignment = 16;  // floats: what the columns of a batch begin at multiples of
+inline constexpr int kBlockWidth = 16; // columns that are filtered or left out together
 
 // Filtered columns are made and compared so many at a time that they stay in the first-level cache.
 inline constexpr int kChunkColumns = 16;

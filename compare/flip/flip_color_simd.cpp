@@ -43,22 +43,22 @@ HWY_INLINE Lightness lightness(D d, const Triple& t, const Triple& dt) {
   const V bend = hn::Set(d, kDelta * kDelta * kDelta), slope = hn::Set(d, 1.f / (3.f * kDelta * kDelta));
   const V least = hn::Set(d, 1e-3f), offset = hn::Set(d, 4.f / 29.f);
   const auto atLeast = [=](V v) HWY_ATTR { return hn::Max(v, least); };
-  const auto choose = [=](V v, V root) HWY_ATTR {
-    return hn::IfThenElse(hn::Gt(v, bend), root, hn::MulAdd(v, slope, offset));
-  };
+  const auto choose = [=](V v, V root)
+                          HWY_ATTR { return hn::IfThenElse(hn::Gt(v, bend), root, hn::MulAdd(v, slope, offset)); };
   const Triple other = each([](V v, V dv) HWY_ATTR { return hn::Sub(v, dv); }, t, dt);
   const Triple p = fastCbrt(d, each(atLeast, t)), q = fastCbrt(d, each(atLeast, other));
-  const Triple inverse = fastReciprocal(d, each([](V v, V w) HWY_ATTR {
-    return hn::MulAdd(v, hn::Add(v, w), hn::Mul(w, w));
-  }, p, q));
+  const Triple inverse =
+      fastReciprocal(d, each([](V v, V w) HWY_ATTR { return hn::MulAdd(v, hn::Add(v, w), hn::Mul(w, w)); }, p, q));
   const Triple f = each(choose, t, p), fOther = each(choose, other, q);
   const Triple ofRoots = each([](V dv, V v) HWY_ATTR { return hn::Mul(dv, v); }, dt, inverse);
   const Triple ofOne = each([](V v, V w) HWY_ATTR { return hn::Sub(v, w); }, f, fOther);
-  const Triple difference = each([=](V v, V w, V dv, V roots, V one) HWY_ATTR {
-    const auto isRoot = hn::Gt(v, bend), otherIsRoot = hn::Gt(w, bend);
-    return hn::IfThenElse(hn::Or(isRoot, otherIsRoot), hn::IfThenElse(hn::And(isRoot, otherIsRoot), roots, one),
-                          hn::Mul(dv, slope));
-  }, t, other, dt, ofRoots, ofOne);
+  const Triple difference = each(
+      [=](V v, V w, V dv, V roots, V one) HWY_ATTR {
+        const auto isRoot = hn::Gt(v, bend), otherIsRoot = hn::Gt(w, bend);
+        return hn::IfThenElse(hn::Or(isRoot, otherIsRoot), hn::IfThenElse(hn::And(isRoot, otherIsRoot), roots, one),
+                              hn::Mul(dv, slope));
+      },
+      t, other, dt, ofRoots, ofOne);
   return {f, fOther, difference};
 }
 
@@ -137,17 +137,18 @@ constexpr float kKnee = 0.4f * flip_constants::kMaxColorDifference; // this HyAB
 
 // As many vectors side by side as there are registers for.
 using Group = std::conditional_t<kHasManyRegisters, Two<Two<V>>, Two<V>>;
-HWY_INLINE V loadGroup(D d, const float* p, const V*) { return hn::LoadU(d, p); }
-template <class T> HWY_INLINE Two<T> loadGroup(D d, const float* p, const Two<T>*) {
-  constexpr std::size_t kVectors = sizeof(T) / sizeof(V);
-  return {loadGroup(d, p, static_cast<const T*>(nullptr)),
-          loadGroup(d, p + kVectors * hn::Lanes(d), static_cast<const T*>(nullptr))};
+template <class T> HWY_INLINE T loadVectors(D d, const float* p) {
+  if constexpr (std::is_same_v<T, V>) {
+    return hn::LoadU(d, p);
+  } else {
+    using Half = decltype(T::x);
+    return {loadVectors<Half>(d, p), loadVectors<Half>(d, p + sizeof(Half) / sizeof(float))};
+  }
 }
-HWY_INLINE void storeGroup(D d, const V& v, float* p) { hn::StoreU(v, d, p); }
-template <class T> HWY_INLINE void storeGroup(D d, const Two<T>& v, float* p) {
-  constexpr std::size_t kVectors = sizeof(T) / sizeof(V);
-  storeGroup(d, v.x, p);
-  storeGroup(d, v.y, p + kVectors * hn::Lanes(d));
+HWY_INLINE void storeVectors(D d, const V& v, float* p) { hn::StoreU(v, d, p); }
+template <class T> HWY_INLINE void storeVectors(D d, const Two<T>& v, float* p) {
+  storeVectors(d, v.x, p);
+  storeVectors(d, v.y, p + sizeof(T) / sizeof(float));
 }
 
 // out.flip holds HyAB, and is replaced.
@@ -157,44 +158,56 @@ HWY_INLINE void combineRow(const float* features, int count, float log2OfLowSlop
   constexpr int kStep = sizeof(Group) / sizeof(float);
   const V zero = hn::Zero(d), one = hn::Set(d, 1.f), knee = hn::Set(d, kKnee);
   for (int i = 0; i < count; i += kStep) {
-    const Group hyab = loadGroup(d, out.flip + i, static_cast<const Group*>(nullptr));
-    const Group feature = loadGroup(d, features + i, static_cast<const Group*>(nullptr));
+    const Group hyab = loadVectors<Group>(d, out.flip + i);
+    const Group feature = loadVectors<Group>(d, features + i);
 
     // c = HyAB^0.7 goes to 0.95 c/knee below the knee, and on from there to 1 at the largest. The logarithm of the
     // result is 0.7 log2 HyAB + log2(0.95/knee), and near 1 the series of log(1-u), u <= 0.05: u^6/6 is left out, 3e-9.
     const Group log = fastLog2(d, each([=](V v) HWY_ATTR { return hn::Max(v, hn::Set(d, 1e-30f)); }, hyab));
     const Group logC = each([=](V v) HWY_ATTR { return hn::Mul(hn::Set(d, 0.7f), v); }, log);
     const Group c = fastExp2(d, logC);
-    const Group u = each([=](V v) HWY_ATTR {
-      constexpr float kSlope = 0.05f / (flip_constants::kMaxColorDifference - kKnee);
-      return hn::Max(hn::NegMulAdd(hn::Sub(v, knee), hn::Set(d, kSlope), hn::Set(d, 0.05f)), zero);
-    }, c);
-    const Group logHigh = each([=](V v) HWY_ATTR {
-      V series = hn::MulAdd(v, hn::Set(d, 0.2f), hn::Set(d, 0.25f));
-      series = hn::MulAdd(v, series, hn::Set(d, 1.f / 3.f));
-      series = hn::MulAdd(v, series, hn::Set(d, 0.5f));
-      return hn::Mul(hn::Mul(v, hn::Set(d, -1.442695041f)), hn::MulAdd(v, series, one));
-    }, u);
-    const Group exponent = each([=](V v, V logV, V high, V part) HWY_ATTR {
-      const V logColor = hn::IfThenElse(hn::Lt(v, knee), hn::Add(logV, hn::Set(d, log2OfLowSlope)), high);
-      return hn::Mul(hn::Sub(one, part), logColor);
-    }, c, logC, logHigh, feature);
+    const Group u = each(
+        [=](V v) HWY_ATTR {
+          constexpr float kSlope = 0.05f / (flip_constants::kMaxColorDifference - kKnee);
+          return hn::Max(hn::NegMulAdd(hn::Sub(v, knee), hn::Set(d, kSlope), hn::Set(d, 0.05f)), zero);
+        },
+        c);
+    const Group logHigh = each(
+        [=](V v) HWY_ATTR {
+          V series = hn::MulAdd(v, hn::Set(d, 0.2f), hn::Set(d, 0.25f));
+          series = hn::MulAdd(v, series, hn::Set(d, 1.f / 3.f));
+          series = hn::MulAdd(v, series, hn::Set(d, 0.5f));
+          return hn::Mul(hn::Mul(v, hn::Set(d, -1.442695041f)), hn::MulAdd(v, series, one));
+        },
+        u);
+    const Group exponent = each(
+        [=](V v, V logV, V high, V part) HWY_ATTR {
+          const V logColor = hn::IfThenElse(hn::Lt(v, knee), hn::Add(logV, hn::Set(d, log2OfLowSlope)), high);
+          return hn::Mul(hn::Sub(one, part), logColor);
+        },
+        c, logC, logHigh, feature);
     const Group power = fastExp2(d, exponent);
-    storeGroup(d, each([=](V v, V h) HWY_ATTR { return hn::IfThenElseZero(hn::Gt(h, zero), hn::Min(v, one)); }, power, hyab),
-               out.flip + i);
+    storeVectors(
+        d, each([=](V v, V h) HWY_ATTR { return hn::IfThenElseZero(hn::Gt(h, zero), hn::Min(v, one)); }, power, hyab),
+        out.flip + i);
     if constexpr (kParts) {
-      storeGroup(d, each([=](V v, V w, V h) HWY_ATTR {
-        const V color = hn::IfThenElse(hn::Lt(v, knee), hn::Mul(v, hn::Set(d, 0.95f / kKnee)), hn::Sub(one, w));
-        return hn::IfThenElseZero(hn::Gt(h, zero), color);
-      }, c, u, hyab), out.color + i);
-      storeGroup(d, feature, out.feature + i);
+      storeVectors(d,
+                   each(
+                       [=](V v, V w, V h) HWY_ATTR {
+                         const V color =
+                             hn::IfThenElse(hn::Lt(v, knee), hn::Mul(v, hn::Set(d, 0.95f / kKnee)), hn::Sub(one, w));
+                         return hn::IfThenElseZero(hn::Gt(h, zero), color);
+                       },
+                       c, u, hyab),
+                   out.color + i);
+      storeVectors(d, feature, out.feature + i);
     }
   }
 }
 
 // Three loops, because one would be a chain longer than what a processor looks ahead.
-HWY_FLATTEN void ComputeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count, float log2OfLowSlope,
-                 const Differences& out) {
+HWY_FLATTEN void ComputeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count,
+                                    float log2OfLowSlope, const Differences& out) {
   clampRow(reference, test, count);
   hyabRow(reference, test, count, out.flip);
   if (out.color)
@@ -230,7 +243,8 @@ HWY_EXPORT(ComputeDifferences);
 HWY_EXPORT(KeepLargest);
 } // namespace
 
-void computeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count, const Differences& out) {
+void computeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count,
+                        const Differences& out) {
   static const float log2OfLowSlope =
       std::log2(0.95f / (0.4f * flip_constants::kMaxColorDifference)); // of 0.95/knee: the colour difference's slope
   HWY_DYNAMIC_DISPATCH(ComputeDifferences)(reference, test, count, log2OfLowSlope, out);

@@ -52,9 +52,7 @@ HWY_INLINE Quad multiplyAdd(D d, float w, const Quad& x, const Quad& sum) {
 
 // What lies k steps ahead of each output and behind it. Of neighbours, a step further needs one new value each.
 // tap(i): the value i steps from the first output.
-template <typename Outputs> struct Mirrored {
-  Outputs ahead, behind;
-};
+template <typename Outputs> struct Mirrored { Outputs ahead, behind; };
 template <typename Tap> HWY_INLINE Mirrored<Pair> pairAtCentre(Tap tap) {
   const Pair centre = {tap(0), tap(1)};
   return {centre, centre};
@@ -177,9 +175,9 @@ struct ColumnTap {
 };
 
 // Four rows of a vector of columns.
-template <bool kLumaIsOfFeatures> HWY_INLINE void
-filterFourRows(const FlipFilters& f, const FilterInput& input, const float* const* centre, std::size_t stride,
-               std::size_t x, float* values, std::size_t planeStride) {
+template <bool kLumaIsOfFeatures>
+HWY_INLINE void filterFourRows(const FlipFilters& f, const FilterInput& input, const float* const* centre,
+                               std::size_t stride, std::size_t x, float* values, std::size_t planeStride) {
   const D d;
   const auto tapOf = [&](SourcePlane plane) { return ColumnTap{centre, plane * stride + x}; };
   const ColumnTap featureY = tapOf(input.featureY), yMinusZ = tapOf(input.yMinusZ);
@@ -265,8 +263,8 @@ HWY_INLINE void filterFourColumns(const FlipFilters& f, const float* at, std::si
             filterSymmetric(d, f.blueYellowB, tapsOf(kBlueYellowB))),
         out.yMinusZ);
   for (const std::ptrdiff_t i : {0, 2 * kBatchRows})
-    filterFeaturesAlong(d, f, at + i + kGauss * planeStride, at + i + kEdge * planeStride, at + i + kPoint * planeStride,
-                        out.edge2 + to + i, out.point2 + to + i);
+    filterFeaturesAlong(d, f, at + i + kGauss * planeStride, at + i + kEdge * planeStride,
+                        at + i + kPoint * planeStride, out.edge2 + to + i, out.point2 + to + i);
 }
 
 void FilterAlongRows(const FlipFilters& f, const float* values, std::size_t stride, int begin, int count, int rowCount,

@@ -15,12 +15,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // Vectors that take the same steps side by side. A step waits for the one before: alone it leaves most of the processor
 // idle.
-template <class T> struct Two {
-  T x, y;
-};
-template <class T> struct Three {
-  T x, y, z;
-};
+template <class T> struct Two { T x, y; };
+template <class T> struct Three { T x, y, z; };
 
 // Applies a step to each of the vectors: one, or Two or Three (or Two of Two) side by side.
 template <class F, class... T> HWY_INLINE auto each(F step, const T&... v) { return step(v...); }
@@ -43,10 +39,12 @@ template <class D, class T> HWY_INLINE T multiplyAdd(D d, const T& x, const T& s
 // estimate has 8, 16 bits).
 template <class D, class T> HWY_INLINE T fastReciprocal(D d, const T& x) {
   using V = hn::Vec<D>;
-  return each([d](V v) HWY_ATTR {
-    const V y = hn::ApproximateReciprocal(v);
-    return hn::Mul(y, hn::NegMulAdd(v, y, hn::Set(d, 2.f)));
-  }, x);
+  return each(
+      [d](V v) HWY_ATTR {
+        const V y = hn::ApproximateReciprocal(v);
+        return hn::Mul(y, hn::NegMulAdd(v, y, hn::Set(d, 2.f)));
+      },
+      x);
 }
 
 // Cube root of x in [1e-3, 2]. Relative error below 2.5e-7 (tested). No division: y approximates x^(-1/3), first on the
@@ -56,17 +54,20 @@ template <class D, class T> HWY_INLINE T fastCbrt(D d, const T& x) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
   // 0x54a2fa8c less a third of the bits. A float holds the bits to 2^-24: far below the 3.5 %.
-  T y = each([d, di](V v) HWY_ATTR {
-    const V bits = hn::ConvertTo(d, hn::BitCast(di, v));
-    return hn::BitCast(d, hn::ConvertTo(di, hn::MulAdd(bits, hn::Set(d, -1.f / 3.f), hn::Set(d, 1419966092.f))));
-  }, x);
+  T y = each(
+      [d, di](V v) HWY_ATTR {
+        const V bits = hn::ConvertTo(d, hn::BitCast(di, v));
+        return hn::BitCast(d, hn::ConvertTo(di, hn::MulAdd(bits, hn::Set(d, -1.f / 3.f), hn::Set(d, 1419966092.f))));
+      },
+      x);
   const auto refine = [&](const T& root) HWY_ATTR {
-    const T r = each([d](V v, V w) HWY_ATTR {
-      return hn::NegMulAdd(hn::Mul(v, w), hn::Mul(w, w), hn::Set(d, 1.f));
-    }, x, root);
-    return each([d](V w, V rest) HWY_ATTR {
-      return hn::MulAdd(hn::Mul(w, rest), hn::MulAdd(rest, hn::Set(d, 2.f / 9.f), hn::Set(d, 1.f / 3.f)), w);
-    }, root, r);
+    const T r =
+        each([d](V v, V w) HWY_ATTR { return hn::NegMulAdd(hn::Mul(v, w), hn::Mul(w, w), hn::Set(d, 1.f)); }, x, root);
+    return each(
+        [d](V w, V rest) HWY_ATTR {
+          return hn::MulAdd(hn::Mul(w, rest), hn::MulAdd(rest, hn::Set(d, 2.f / 9.f), hn::Set(d, 1.f / 3.f)), w);
+        },
+        root, r);
   };
   y = refine(refine(y));
   return each([](V v, V w) HWY_ATTR { return hn::Mul(v, hn::Mul(w, w)); }, x, y);
@@ -77,18 +78,15 @@ template <class D, class T> HWY_INLINE T fastCbrt(D d, const T& x) {
 template <class D, class T> HWY_INLINE T fastLog2(D d, const T& x) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
-  const auto exponent = each([di](V v) HWY_ATTR {
-    return hn::ShiftRight<23>(hn::Sub(hn::BitCast(di, v), hn::Set(di, 0x3f3504f3)));
-  }, x);
-  const T m = each([d, di](V v, auto e) HWY_ATTR {
-    return hn::BitCast(d, hn::Sub(hn::BitCast(di, v), hn::ShiftLeft<23>(e)));
-  }, x, exponent);
+  const auto exponent =
+      each([di](V v) HWY_ATTR { return hn::ShiftRight<23>(hn::Sub(hn::BitCast(di, v), hn::Set(di, 0x3f3504f3))); }, x);
+  const T m =
+      each([d, di](V v, auto e) HWY_ATTR { return hn::BitCast(d, hn::Sub(hn::BitCast(di, v), hn::ShiftLeft<23>(e))); },
+           x, exponent);
   const T inverse = fastReciprocal(d, each([d](V v) HWY_ATTR { return hn::Add(v, hn::Set(d, 1.f)); }, m));
   const T s = each([d](V v, V w) HWY_ATTR { return hn::Mul(hn::Sub(v, hn::Set(d, 1.f)), w); }, m, inverse);
   const T s2 = each([](V v) HWY_ATTR { return hn::Mul(v, v); }, s);
-  T series = each([d](V v) HWY_ATTR {
-    return hn::MulAdd(v, hn::Set(d, 0.320598898f), hn::Set(d, 0.412198583f));
-  }, s2);
+  T series = each([d](V v) HWY_ATTR { return hn::MulAdd(v, hn::Set(d, 0.320598898f), hn::Set(d, 0.412198583f)); }, s2);
   series = multiplyAdd(d, s2, series, 0.577078016f);
   series = multiplyAdd(d, s2, series, 0.961796694f);
   series = multiplyAdd(d, s2, series, 2.885390082f);
@@ -103,17 +101,16 @@ template <class D, class T> HWY_INLINE T fastExp2(D d, const T& x) {
   const hn::RebindToSigned<D> di;
   const auto whole = each([](V v) HWY_ATTR { return hn::NearestInt(v); }, x);
   const T f = each([d](V v, auto n) HWY_ATTR { return hn::Sub(v, hn::ConvertTo(d, n)); }, x, whole);
-  T series = each([d](V v) HWY_ATTR {
-    return hn::MulAdd(v, hn::Set(d, 0.000154035304f), hn::Set(d, 0.00133335581f));
-  }, f);
+  T series =
+      each([d](V v) HWY_ATTR { return hn::MulAdd(v, hn::Set(d, 0.000154035304f), hn::Set(d, 0.00133335581f)); }, f);
   series = multiplyAdd(d, f, series, 0.00961812911f);
   series = multiplyAdd(d, f, series, 0.0555041087f);
   series = multiplyAdd(d, f, series, 0.240226507f);
   series = multiplyAdd(d, f, series, 0.693147181f);
   series = multiplyAdd(d, f, series, 1.f);
-  return each([d, di](V sum, auto n) HWY_ATTR {
-    return hn::BitCast(d, hn::Add(hn::BitCast(di, sum), hn::ShiftLeft<23>(n)));
-  }, series, whole);
+  return each([d, di](V sum, auto n)
+                  HWY_ATTR { return hn::BitCast(d, hn::Add(hn::BitCast(di, sum), hn::ShiftLeft<23>(n))); },
+              series, whole);
 }
 
 } // namespace parity::compare::HWY_NAMESPACE

@@ -34,8 +34,7 @@ TileWorkspace::TileWorkspace(const FlipFilters& filters)
   m_ring = allocate(kSourcePlanes * m_stride * static_cast<std::size_t>(m_ringRows));
   m_heldRow.assign(static_cast<std::size_t>(m_ringRows), -1);
   m_pointers.resize(static_cast<std::size_t>(m_ringRows));
-  for (auto* planes : {&m_reference, &m_test})
-    *planes = allocate(kFilteredPlanes * kBatchRows * m_stride);
+  for (auto* planes : {&m_reference, &m_test}) *planes = allocate(kFilteredPlanes * kBatchRows * m_stride);
   m_chunk = allocate((2 * kFilteredPlaneCount + kResultPlanes) * kChunkValues + kMaxSimdStep);
   m_resultRows = allocate(kChunkValues);
 }
