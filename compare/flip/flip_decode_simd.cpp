@@ -216,9 +216,17 @@ void markDifferences(const void* a, const void* b, std::size_t count, std::size_
   const auto *left = static_cast<const std::byte*>(a), *right = static_cast<const std::byte*>(b);
   // Whole rows are mostly equal or mostly not: one call settles the equal ones.
   if (std::memcmp(left, right, count) == 0) return;
+  const auto differs = [&](std::size_t begin, std::size_t size) {
+    // Cells that differ mostly do so at once.
+    std::uint64_t x = 0, y = 0;
+    if (size >= sizeof(x)) {
+      std::memcpy(&x, left + begin, sizeof(x));
+      std::memcpy(&y, right + begin, sizeof(y));
+    }
+    return x != y || std::memcmp(left + begin, right + begin, size) != 0;
+  };
   for (std::size_t begin = 0, i = 0; begin < count; begin += cell, ++i)
-    if (std::memcmp(left + begin, right + begin, std::min(cell, count - begin)) != 0)
-      bits[i / 64] |= std::uint64_t{1} << (i % 64);
+    if (differs(begin, std::min(cell, count - begin))) bits[i / 64] |= std::uint64_t{1} << (i % 64);
 }
 
 } // namespace parity::compare

@@ -86,15 +86,9 @@ std::uint64_t runTile(TileWorkspace& workspace, const TileJob& job, RowDecoder d
     filtered = workspace.run(job, decoder, tile, {ldr.data(), nullptr, nullptr, tile.width});
     if (filtered == 0) break; // nothing differs, at no exposure
     const float mark = static_cast<float>(i) / static_cast<float>(range.count - 1);
-    for (int y = 0; y < tile.height; ++y) {
-      const float* from = ldr.data() + static_cast<std::ptrdiff_t>(y) * tile.width;
-      float *flip = out.flip.at(tile.x, tile.y + y), *exposure = out.exposure.at(tile.x, tile.y + y);
-      for (int x = 0; x < tile.width; ++x) {
-        const bool larger = from[x] > flip[x];
-        flip[x] = larger ? from[x] : flip[x];
-        exposure[x] = larger ? mark : exposure[x];
-      }
-    }
+    for (int y = 0; y < tile.height; ++y)
+      keepLargest(ldr.data() + static_cast<std::ptrdiff_t>(y) * tile.width, tile.width, mark,
+                  out.flip.at(tile.x, tile.y + y), out.exposure.at(tile.x, tile.y + y));
   }
   return filtered;
 }

@@ -12,8 +12,8 @@ namespace parity::compare {
 inline constexpr int kMaxSimdStep = 64;
 
 // Filters are applied to this many rows at a time, so that the rows of a window are loaded to the first-level cache
-// once for all of them.
-inline constexpr int kBatchRows = 8;
+// once for all of them. A multiple of every vector and of 4.
+inline constexpr int kBatchRows = 16;
 
 // How pixel values become linear light in [0,1].
 enum class Decoding {
@@ -57,7 +57,8 @@ enum SourcePlane { // of the reference, of reference minus test, and of the test
 // out[i] = a[i] - b[i].
 void subtractRow(const float* a, const float* b, std::size_t count, float* out);
 
-// Planes of a batch of rows, filtered across rows: plane p of row r begins at values + (p*kBatchRows + r)*stride.
+// Planes of a batch of rows, filtered across rows, column after column: row r of column x of plane p is
+// values[(p*stride + x)*kBatchRows + r].
 enum FilteredPlane { kLuma, kRedGreen, kBlueYellowA, kBlueYellowB, kGauss, kEdge, kPoint, kFilteredPlanes };
 
 // Which source planes the filters take: colours as seen through the contrast sensitivity functions, features of Y.
@@ -68,27 +69,36 @@ inline constexpr FilterInput kReferenceInput = {kReferenceY, kReferenceXMinusY, 
 inline constexpr FilterInput kTestInput = {kDifferenceY, kDifferenceXMinusY, kDifferenceYMinusZ, kTestY};
 
 // Filters across rows. rows: 2*radius + kBatchRows pointers from the topmost row that the first output row needs, each
-// to kSourcePlanes planes. Columns begin..end-1, which may be overrun by kMaxSimdStep.
+// to kSourcePlanes planes. Columns begin..end-1, which may be overrun by kMaxSimdStep. Of the batch only rowCount rows
+// are needed; others may be left out, here and below.
 void filterAcrossRows(const FlipFilters& filters, const FilterInput& input, const float* const* rows,
-                      std::size_t stride, int begin, int end, float* values);
+                      std::size_t stride, int begin, int end, int rowCount, float* values);
 
-// One row, filtered in both directions: colours (of the reference, or their difference), and the squared magnitudes of
-// the edge and the point filter over Y.
-struct FilteredRow {
+// Columns of a batch, filtered in both directions, kBatchRows values each: colours (of the reference, or their
+// difference), and the squared magnitudes of the edge and the point filter over Y.
+struct FilteredColumns {
   float *y, *xMinusY, *yMinusZ, *edge2, *point2;
 };
 
-// Filters row r of a batch along the row: out[i] is column begin+i, i < count, overrun by kMaxSimdStep.
-void filterAlongRow(const FlipFilters& filters, const float* values, std::size_t stride, int row, int begin, int count,
-                    const FilteredRow& out);
+// Filters a batch along its rows: columns begin..begin+count-1, overrun to a multiple of 4.
+void filterAlongRows(const FlipFilters& filters, const float* values, std::size_t stride, int begin, int count,
+                     int rowCount, const FilteredColumns& out);
 
-// The metric from two filtered rows (of kReferenceInput and kTestInput): colour and feature difference and what they
-// come to, each in [0,1] (Andersson 2020, sections 4.1.4 to 4.3). color and feature may be null. The rows' colours are
-// overwritten. Overruns by kMaxSimdStep.
-struct DifferenceRow {
+// The metric from filtered values (of kReferenceInput and kTestInput): colour and feature difference and what they
+// come to, each in [0,1] (Andersson 2020, sections 4.1.4 to 4.3). color and feature may be null. The colours given and
+// the test's edges are overwritten. Overruns by kMaxSimdStep.
+struct Differences {
   float *flip, *color, *feature;
 };
-void differenceRow(const FilteredRow& reference, const FilteredRow& test, int count, const DifferenceRow& out);
+void computeDifferences(const FilteredColumns& reference, const FilteredColumns& test, int count,
+                        const Differences& out);
+
+// Columns of a batch as rows, `stride` values apart. Overruns each row to a multiple of 4, and writes up to kBatchRows
+// rows.
+void rowsOfColumns(const float* columns, int count, int rowCount, float* rows, std::ptrdiff_t stride);
+
+// Where a value is above the largest so far, it takes its place, and `mark` that of the mark beside it.
+void keepLargest(const float* values, int count, float mark, float* largest, float* marks);
 
 // Compares `count` bytes of two rows in cells of `cell` bytes: sets bit i of `bits` where cell i differs in any bit.
 // (The last cell may be shorter.)

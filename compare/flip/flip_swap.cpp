@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kReferencePlanes = 3;
 constexpr int kBatches = kTileHeight / kBatchRows;
-static_assert(kTileWidth / kBlockWidth <= 8, "a byte holds a bit for each block of a row");
+static_assert(kTileWidth / kBlockWidth <= 32, "32 bits hold one for each block of a row");
 
 std::size_t sizeOf(const PixelView& view) { return view.floats ? sizeof(float) : sizeof(std::uint8_t); }
 const std::uint8_t* bytesOf(const PixelView& view) {
@@ -39,9 +39,9 @@ public:
             static_cast<std::size_t>(roundUp(2 * m_margin + kTileWidth + kMaxSimdStep, 2 * kAlignment) + kAlignment)) {
     m_referenceRows = allocate(kReferencePlanes * m_stride * static_cast<std::size_t>(m_windowRows));
     m_ring = allocate(kSourcePlanes * m_stride * static_cast<std::size_t>(m_ringRows));
-    m_batch = allocate(kFilteredPlanes * kBatchRows * m_stride + kMaxSimdStep);
-    m_kept = allocate(kFilteredRows * kRowLength * kTileHeight);
-    m_scratch = allocate((2 * kFilteredRows + 1) * kRowLength);
+    m_batch = allocate(kFilteredPlanes * kBatchRows * m_stride);
+    m_kept = allocate(kFilteredPlaneCount * kKeptValues * kBatches);
+    m_scratch = allocate((2 * kFilteredPlaneCount + 1) * kChunkValues + kMaxSimdStep);
     m_pointers.resize(static_cast<std::size_t>(m_ringRows));
     m_colors.resize(m_pixelBytes * static_cast<std::size_t>(kTileWidth + 2 * m_radius));
   }
@@ -53,7 +53,7 @@ public:
     Blocks any{};
     for (std::size_t s = 0; s < swaps.size(); ++s) {
       const Blocks blocks = findBlocks(swaps[s]);
-      if (std::ranges::all_of(blocks, [](std::uint8_t b) { return b == 0; })) continue;
+      if (std::ranges::all_of(blocks, [](std::uint32_t b) { return b == 0; })) continue;
       dirty.emplace_back(s, blocks);
       for (std::size_t i = 0; i < any.size(); ++i) any[i] |= blocks[i];
     }
@@ -63,9 +63,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t kRowLength = kTileWidth + kMaxSimdStep;
+  static constexpr std::size_t kKeptValues = kTileWidth * kBatchRows; // of a plane of a batch
   // Of each batch of rows the blocks of columns that are filtered, a bit each.
-  using Blocks = std::array<std::uint8_t, kBatches>;
+  using Blocks = std::array<std::uint32_t, kBatches>;
 
   const std::uint8_t* referenceAt(int x, int y) const {
     return bytesOf(m_reference) + sizeOf(m_reference) * static_cast<std::size_t>(y * m_reference.stride) +
@@ -81,7 +81,7 @@ private:
   Blocks findBlocks(const SwapIndex& indexed) const {
     Blocks present{}, blocks{};
     if (!indexed.touches(m_box)) return blocks; // none of its pixels
-    std::vector<std::uint8_t> reached(static_cast<std::size_t>(m_box.height + 2 * m_radius), 0);
+    std::vector<std::uint32_t> reached(static_cast<std::size_t>(m_box.height + 2 * m_radius), 0);
     bool any = false;
     for (int i = 0; i < m_box.height + 2 * m_radius; ++i) {
       const int y = m_box.y - m_radius + i;
@@ -101,7 +101,7 @@ private:
     }
     if (!any) return blocks;
     for (int batch = 0; batch * kBatchRows < m_box.height; ++batch) {
-      std::uint8_t mask = 0;
+      std::uint32_t mask = 0;
       const int begin = batch * kBatchRows,
                 end = std::min(begin + kBatchRows, m_box.height) + 2 * m_radius; // places in `reached`
       for (int i = begin; i < end; ++i) mask |= reached[static_cast<std::size_t>(i)];
@@ -111,7 +111,7 @@ private:
   }
 
   // Calls act(begin, end) for each run of columns whose blocks are set.
-  template <typename Act> void forColumns(std::uint8_t blocks, const Act& act) const {
+  template <typename Act> void forColumns(std::uint32_t blocks, const Act& act) const {
     const int count = (m_box.width + kBlockWidth - 1) / kBlockWidth;
     for (int b = 0; b < count; ++b) {
       if ((blocks >> b & 1) == 0) continue;
@@ -143,28 +143,24 @@ private:
   }
   int imageRowOf(int i) const { return std::clamp(m_box.y - m_radius + i, 0, m_reference.height - 1); }
 
-  // Filtered row y of the tile, as it is kept.
-  FilteredRow keptRow(int y) const {
-    float* at = m_kept.get() + kFilteredRows * kRowLength * static_cast<std::size_t>(y);
-    return {at, at + kRowLength, at + 2 * kRowLength, at + 3 * kRowLength, at + 4 * kRowLength};
+  // The reference's filtered columns of a batch from column `begin` on, as they are kept.
+  FilteredColumns keptColumns(int batch, int begin) const {
+    float* at = m_kept.get() + kFilteredPlaneCount * kKeptValues * static_cast<std::size_t>(batch);
+    return filteredColumnsAt(at + static_cast<std::ptrdiff_t>(begin) * kBatchRows, kKeptValues);
   }
-  static FilteredRow advance(const FilteredRow& row, int columns) {
-    return {row.y + columns, row.xMinusY + columns, row.yMinusZ + columns, row.edge2 + columns, row.point2 + columns};
-  }
-  FilteredRow scratchRow(int index) const {
-    float* at = m_scratch.get() + static_cast<std::size_t>(index) * kFilteredRows * kRowLength;
-    return {at, at + kRowLength, at + 2 * kRowLength, at + 3 * kRowLength, at + 4 * kRowLength};
+  FilteredColumns scratchColumns(std::size_t index) const {
+    return filteredColumnsAt(m_scratch.get() + index * kFilteredPlaneCount * kChunkValues, kChunkValues);
   }
 
-  void filterAcross(const FilterInput& input, int begin, int end) {
+  void filterAcross(const FilterInput& input, int begin, int end, int rows) {
     const int from = (m_margin + begin - m_radius) / kAlignment * kAlignment, last = m_margin + end + m_radius;
-    filterAcrossRows(m_filters, input, m_pointers.data(), m_stride, from, last, m_batch.get());
+    filterAcrossRows(m_filters, input, m_pointers.data(), m_stride, from, last, rows, m_batch.get());
   }
 
   void filterReference(const Blocks& any) {
     std::vector<char> decoded(static_cast<std::size_t>(m_windowRows), 0);
     for (int batch = 0; batch * kBatchRows < m_box.height; ++batch) {
-      const std::uint8_t blocks = any[static_cast<std::size_t>(batch)];
+      const std::uint32_t blocks = any[static_cast<std::size_t>(batch)];
       if (blocks == 0) continue;
       const int y = batch * kBatchRows, rows = std::min(kBatchRows, m_box.height - y);
       for (int i = 0; i < m_ringRows; ++i) {
@@ -176,11 +172,10 @@ private:
         decode(referenceAt(left(), imageRowOf(at)), row, row + m_stride, row + 2 * m_stride);
       }
       forColumns(blocks, [&](int begin, int end) {
-        filterAcross(kReferenceInput, begin, end);
+        filterAcross(kReferenceInput, begin, end, rows);
         // Runs are written from the left to the right: what one overruns is written by the next, or is not read.
-        for (int r = 0; r < rows; ++r)
-          filterAlongRow(m_filters, m_batch.get(), m_stride, r, m_margin + begin, end - begin,
-                         advance(keptRow(y + r), begin));
+        filterAlongRows(m_filters, m_batch.get(), m_stride, m_margin + begin, end - begin, rows,
+                        keptColumns(batch, begin));
       });
     }
   }
@@ -221,29 +216,35 @@ private:
         fillSwappedRow(indexed, at, row);
       }
       forColumns(blocks[static_cast<std::size_t>(batch)], [&](int begin, int end) {
-        filterAcross(kTestInput, begin, end);
-        for (int r = 0; r < rows; ++r) compareRow(indexed, y + r, r, begin, end, values);
+        filterAcross(kTestInput, begin, end, rows);
+        for (int x = begin; x < end; x += kChunkColumns)
+          compareColumns(indexed, batch, rows, x, std::min(kChunkColumns, end - x), values);
       });
     }
   }
 
-  void compareRow(const SwapIndex& indexed, int y, int r, int begin, int end, std::vector<float>& values) {
-    const int count = end - begin;
-    const auto [from, to] = indexed.placesOf(m_box.y + y, m_box.x + begin, m_box.x + end);
-    if (from == to) return;
-    // Comparing overwrites the rows' colours.
-    const FilteredRow kept = advance(keptRow(y), begin), reference = scratchRow(0), test = scratchRow(1);
-    const std::pair<float*, const float*> copies[] = {{reference.y, kept.y},
-                                                      {reference.xMinusY, kept.xMinusY},
-                                                      {reference.yMinusZ, kept.yMinusZ},
-                                                      {reference.edge2, kept.edge2},
-                                                      {reference.point2, kept.point2}};
-    for (const auto& [to_, from_] : copies) std::copy_n(from_, count, to_);
-    filterAlongRow(m_filters, m_batch.get(), m_stride, r, m_margin + begin, count, test);
-    float* flip = m_scratch.get() + 2 * kFilteredRows * kRowLength;
-    differenceRow(reference, test, count, {flip, nullptr, nullptr});
-    for (std::uint32_t place = from; place < to; ++place)
-      values[place] = flip[indexed.columnOf(place) - m_box.x - begin];
+  void compareColumns(const SwapIndex& indexed, int batch, int rows, int begin, int count, std::vector<float>& values) {
+    std::array<std::pair<std::uint32_t, std::uint32_t>, kBatchRows> places;
+    bool any = false;
+    for (int r = 0; r < rows; ++r) {
+      const auto [from, to] = places[static_cast<std::size_t>(r)] =
+          indexed.placesOf(m_box.y + batch * kBatchRows + r, m_box.x + begin, m_box.x + begin + count);
+      any |= from != to;
+    }
+    if (!any) return;
+    // Comparing overwrites the colours.
+    const FilteredColumns kept = keptColumns(batch, begin), colors = scratchColumns(0), test = scratchColumns(1);
+    const FilteredColumns reference = {colors.y, colors.xMinusY, colors.yMinusZ, kept.edge2, kept.point2};
+    const int size = count * kBatchRows;
+    std::copy_n(kept.y, size, reference.y);
+    std::copy_n(kept.xMinusY, size, reference.xMinusY);
+    std::copy_n(kept.yMinusZ, size, reference.yMinusZ);
+    filterAlongRows(m_filters, m_batch.get(), m_stride, m_margin + begin, count, rows, test);
+    float* flip = m_scratch.get() + 2 * kFilteredPlaneCount * kChunkValues;
+    computeDifferences(reference, test, size, {flip, nullptr, nullptr});
+    for (int r = 0; r < rows; ++r)
+      for (auto [place, end] = places[static_cast<std::size_t>(r)]; place < end; ++place)
+        values[place] = flip[(indexed.columnOf(place) - m_box.x - begin) * kBatchRows + r];
   }
 
   const PixelView& m_reference;
@@ -256,7 +257,7 @@ private:
   FlipBuffer m_referenceRows; // the tile's and its margin's rows, decoded
   FlipBuffer m_ring;          // rows of a swap, kSourcePlanes planes each
   FlipBuffer m_batch;         // planes of a batch, filtered across rows
-  FlipBuffer m_kept;          // the reference's filtered rows
+  FlipBuffer m_kept;          // the reference's filtered columns
   FlipBuffer m_scratch;
   std::vector<const float*> m_pointers; // to the rows of the batch's window, from the topmost
   std::vector<std::uint8_t> m_colors;   // a row of a swapped picture

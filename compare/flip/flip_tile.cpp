@@ -10,15 +10,18 @@
 namespace parity::compare {
 namespace {
 
-constexpr int kResultRows = 3; // of DifferenceRow
+constexpr int kResultPlanes = 3; // of Differences
+constexpr int kRowStep = 4;
 
-void prefetchRow(const PixelView& image, const Rect& box, int y) {
+// Columns first..end-1 of row y.
+void prefetchRow(const PixelView& image, int first, int end, int y) {
   constexpr std::ptrdiff_t kCacheLine = 64;
   const auto size = static_cast<std::ptrdiff_t>(image.floats ? sizeof(float) : sizeof(std::uint8_t));
   const auto* pixels = image.floats ? reinterpret_cast<const std::uint8_t*>(image.floats) : image.bytes;
-  const std::uint8_t* row = pixels + size * (y * image.stride + static_cast<std::ptrdiff_t>(box.x) * image.channels);
-  const std::ptrdiff_t bytes = size * box.width * image.channels;
-  for (std::ptrdiff_t at = 0; at < bytes; at += kCacheLine) hwy::Prefetch(row + at);
+  const std::uint8_t* row = pixels + size * y * image.stride;
+  const std::ptrdiff_t last = size * end * image.channels - 1;
+  for (std::ptrdiff_t at = size * first * image.channels; at < last; at += kCacheLine) hwy::Prefetch(row + at);
+  hwy::Prefetch(row + last);
 }
 
 } // namespace
@@ -31,9 +34,9 @@ TileWorkspace::TileWorkspace(const FlipFilters& filters)
   m_ring = allocate(kSourcePlanes * m_stride * static_cast<std::size_t>(m_ringRows));
   m_heldRow.assign(static_cast<std::size_t>(m_ringRows), -1);
   m_pointers.resize(static_cast<std::size_t>(m_ringRows));
-  for (auto* planes : {&m_reference, &m_test})
-    *planes = allocate(kFilteredPlanes * kBatchRows * m_stride + kMaxSimdStep);
-  m_rows = allocate((2 * kFilteredRows + kResultRows) * (kTileWidth + kMaxSimdStep));
+  for (auto* planes : {&m_reference, &m_test}) *planes = allocate(kFilteredPlanes * kBatchRows * m_stride);
+  m_chunk = allocate((2 * kFilteredPlaneCount + kResultPlanes) * kChunkValues + kMaxSimdStep);
+  m_resultRows = allocate(kChunkValues);
 }
 
 std::uint64_t TileWorkspace::run(const TileJob& job, const RowDecoder& decoder, const Rect& box,
@@ -41,8 +44,12 @@ std::uint64_t TileWorkspace::run(const TileJob& job, const RowDecoder& decoder, 
   std::ranges::fill(m_heldRow, -1);
   const int radius = m_filters.radius;
   std::uint64_t filtered = 0;
-  for (int y = box.y; y < box.y + box.height; y += kBatchRows) {
-    const int rows = std::min(kBatchRows, box.y + box.height - y);
+  const int bottom = box.y + box.height;
+  for (int y = box.y, rows = 0; y < bottom; y += rows) {
+    // A batch begins near the first row that a difference reaches.
+    rows = std::min(kRowStep, bottom - y);
+    if (!job.differences->differs(box.x - radius, y - radius, box.x + box.width + radius, y + rows + radius)) continue;
+    rows = std::min(kBatchRows, bottom - y);
     const auto isDirty = [&](int begin) {
       return job.differences->differs(box.x + begin - radius, y - radius,
                                       box.x + std::min(begin + kBlockWidth, box.width) + radius, y + rows + radius);
@@ -65,6 +72,11 @@ std::uint64_t TileWorkspace::run(const TileJob& job, const RowDecoder& decoder, 
   return filtered;
 }
 
+int TileWorkspace::firstColumn(const Rect& box) const { return std::max(box.x - m_filters.radius, 0); }
+int TileWorkspace::endColumn(const Rect& box, const PixelView& image) const {
+  return std::min(box.x + box.width + m_filters.radius, image.width);
+}
+
 void TileWorkspace::fillWindow(const TileJob& job, const RowDecoder& decoder, const Rect& box, int y) {
   for (int i = 0; i < m_ringRows; ++i) {
     const int source = std::clamp(y - m_filters.radius + i, 0, job.reference.height - 1);
@@ -75,7 +87,8 @@ void TileWorkspace::fillWindow(const TileJob& job, const RowDecoder& decoder, co
     m_heldRow[slot] = source;
     // Rows of a tile are short and far apart: the processor does not foresee the next one.
     if (source + 1 < job.reference.height)
-      for (const PixelView* image : {&job.reference, &job.test}) prefetchRow(*image, box, source + 1);
+      for (const PixelView* image : {&job.reference, &job.test})
+        prefetchRow(*image, firstColumn(box), endColumn(box, *image), source + 1);
     const auto plane = [&](SourcePlane p) { return row + p * m_stride; };
     decodeInto({plane(kReferenceY), plane(kReferenceXMinusY), plane(kReferenceYMinusZ)}, job.reference, decoder, box,
                source);
@@ -90,7 +103,7 @@ void TileWorkspace::fillWindow(const TileJob& job, const RowDecoder& decoder, co
 void TileWorkspace::decodeInto(const ColorPlanes& planes, const PixelView& image, const RowDecoder& decoder,
                                const Rect& box, int y) {
   const int left = box.x - m_filters.radius, right = box.x + box.width + m_filters.radius;
-  const int first = std::max(left, 0), end = std::min(right, image.width);
+  const int first = firstColumn(box), end = endColumn(box, image);
   const int at = m_margin + first - box.x, count = end - first;
   const ColorPlanes inside = {planes.y + at, planes.xMinusY + at, planes.yMinusZ + at};
   const std::ptrdiff_t offset = y * image.stride + static_cast<std::ptrdiff_t>(first) * image.channels;
@@ -104,31 +117,31 @@ void TileWorkspace::decodeInto(const ColorPlanes& planes, const PixelView& image
   }
 }
 
-FilteredRow TileWorkspace::filteredRow(std::size_t image) {
-  constexpr std::size_t kLength = kTileWidth + kMaxSimdStep;
-  float* at = m_rows.get() + image * kFilteredRows * kLength;
-  return {at, at + kLength, at + 2 * kLength, at + 3 * kLength, at + 4 * kLength};
+void TileWorkspace::writeColumns(const float* columns, int count, int rows, float* out, std::ptrdiff_t stride) {
+  if (count == kChunkColumns && rows == kBatchRows) return rowsOfColumns(columns, count, rows, out, stride);
+  rowsOfColumns(columns, count, rows, m_resultRows.get(), kChunkColumns);
+  for (int r = 0; r < rows; ++r) std::copy_n(m_resultRows.get() + r * kChunkColumns, count, out + r * stride);
 }
 
 void TileWorkspace::runColumns(const Rect& box, int y, int rows, int begin, int end, const TileOutputs& out) {
-  constexpr std::size_t kLength = kTileWidth + kMaxSimdStep;
   const int from = (m_margin + begin - m_filters.radius) / kAlignment * kAlignment;
   const int last = m_margin + end + m_filters.radius;
-  filterAcrossRows(m_filters, kReferenceInput, m_pointers.data(), m_stride, from, last, m_reference.get());
-  filterAcrossRows(m_filters, kTestInput, m_pointers.data(), m_stride, from, last, m_test.get());
-  const FilteredRow reference = filteredRow(0), test = filteredRow(1);
-  float* results = m_rows.get() + 2 * kFilteredRows * kLength;
-  const DifferenceRow result = {results, out.color ? results + kLength : nullptr,
-                                out.feature ? results + 2 * kLength : nullptr};
-  const int count = end - begin;
-  for (int r = 0; r < rows; ++r) {
-    filterAlongRow(m_filters, m_reference.get(), m_stride, r, m_margin + begin, count, reference);
-    filterAlongRow(m_filters, m_test.get(), m_stride, r, m_margin + begin, count, test);
-    differenceRow(reference, test, count, result);
-    const std::pair<float*, const float*> copies[] = {
-        {out.flip, result.flip}, {out.color, result.color}, {out.feature, result.feature}};
-    for (const auto& [to, values] : copies)
-      if (to) std::copy(values, values + count, to + (y - box.y + r) * out.stride + begin);
+  filterAcrossRows(m_filters, kReferenceInput, m_pointers.data(), m_stride, from, last, rows, m_reference.get());
+  filterAcrossRows(m_filters, kTestInput, m_pointers.data(), m_stride, from, last, rows, m_test.get());
+  const FilteredColumns reference = filteredColumnsAt(m_chunk.get(), kChunkValues);
+  const FilteredColumns test = filteredColumnsAt(m_chunk.get() + kFilteredPlaneCount * kChunkValues, kChunkValues);
+  float* results = m_chunk.get() + 2 * kFilteredPlaneCount * kChunkValues;
+  const Differences result = {results, out.color ? results + kChunkValues : nullptr,
+                              out.feature ? results + 2 * kChunkValues : nullptr};
+  const std::pair<float*, const float*> written[] = {
+      {out.flip, result.flip}, {out.color, result.color}, {out.feature, result.feature}};
+  for (int x = begin; x < end; x += kChunkColumns) {
+    const int count = std::min(kChunkColumns, end - x);
+    filterAlongRows(m_filters, m_reference.get(), m_stride, m_margin + x, count, rows, reference);
+    filterAlongRows(m_filters, m_test.get(), m_stride, m_margin + x, count, rows, test);
+    computeDifferences(reference, test, count * kBatchRows, result);
+    for (const auto& [to, values] : written)
+      if (to) writeColumns(values, count, rows, to + (y - box.y) * out.stride + x, out.stride);
   }
 }
 

@@ -18,8 +18,9 @@
 namespace parity::compare {
 
 // A tile is one task. Fixed, so that no result depends on the number of threads. The width: both images' windows of
-// rows stay in the second-level cache, and the margins that neighbours both decode are a small part.
-inline constexpr int kTileWidth = 256, kTileHeight = 256;
+// rows stay in the second-level cache, the margins that neighbours both decode are a small part, and it divides the
+// usual widths of pictures.
+inline constexpr int kTileWidth = 320, kTileHeight = 256;
 
 // Where a tile's results go: its first pixel, and how far apart rows are. color and feature may be null.
 struct TileOutputs {
@@ -44,10 +45,13 @@ public:
   std::uint64_t run(const TileJob& job, const RowDecoder& decoder, const Rect& box, const TileOutputs& out);
 
 private:
+  // The columns of an image that a box needs.
+  int firstColumn(const Rect& box) const;
+  int endColumn(const Rect& box, const PixelView& image) const;
   void fillWindow(const TileJob& job, const RowDecoder& decoder, const Rect& box, int y);
   void decodeInto(const ColorPlanes& planes, const PixelView& image, const RowDecoder& decoder, const Rect& box, int y);
   void runColumns(const Rect& box, int y, int rows, int begin, int end, const TileOutputs& out);
-  FilteredRow filteredRow(std::size_t image);
+  void writeColumns(const float* columns, int count, int rows, float* out, std::ptrdiff_t stride);
 
   const FlipFilters& m_filters;
   int m_margin;         // columns left of the tile in each row: the radius, rounded up so that columns stay aligned
@@ -58,7 +62,8 @@ private:
   std::vector<int> m_heldRow;                             // which row of the image each slot holds; -1: none
   std::vector<const float*> m_pointers;                   // to the rows of the batch's window, from the topmost
   hwy::AlignedFreeUniquePtr<float[]> m_reference, m_test; // planes of the batch, filtered across rows
-  hwy::AlignedFreeUniquePtr<float[]> m_rows;              // filtered rows of both images, and the results
+  hwy::AlignedFreeUniquePtr<float[]> m_chunk;             // filtered columns of both images, and the results
+  hwy::AlignedFreeUniquePtr<float[]> m_resultRows;        // of a chunk that the tile's end cuts
 };
 
 // Hands out workspaces to threads, and takes them back: as many are made as are in use at once.

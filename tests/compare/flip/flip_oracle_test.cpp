@@ -66,11 +66,11 @@ TEST_P(FlipOracle, SizesAndDistancesDrawnAtRandomMatch) {
   }
 }
 
-// Tiles are 256 pixels wide and high: a seam would show here.
+// Tiles are 320 pixels wide and 256 high: a seam would show here.
 TEST_P(FlipOracle, ImagesOfSeveralTilesMatchAcrossTheSeams) {
   expectOracle(makeImage(Kind::noise, 530, 40, 1), makeImage(Kind::noise, 530, 40, 2), 67.f, "wide");
   expectOracle(makeImage(Kind::noise8, 30, 521, 3), makeImage(Kind::noise8, 30, 521, 4), 90.f, "high");
-  expectOracle(makeImage(Kind::smooth, 257, 259, 5), makeImage(Kind::smooth, 257, 259, 6), 67.f, "one over");
+  expectOracle(makeImage(Kind::smooth, 321, 259, 5), makeImage(Kind::smooth, 321, 259, 6), 67.f, "one over");
 }
 
 TEST_P(FlipOracle, ValuesOutsideTheRangeCountAsClamped) {

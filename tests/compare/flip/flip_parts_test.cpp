@@ -140,6 +140,109 @@ TEST_P(FlipDecoding, NoValueBecomesNanAtAnyExposure) {
     }
 }
 
+class FlipRows : public ::testing::TestWithParam<std::string> {
+protected:
+  void SetUp() override { base::useSimdLevel(GetParam()); }
+  void TearDown() override { base::useSimdLevel(""); }
+};
+
+// Against the sums in double, of every row that was asked for, in columns that no vector divides.
+TEST_P(FlipRows, FiltersAreTheirDefinition) {
+  const FlipFilters f = makeFlipFilters(30.f);
+  constexpr int kColumns = 37, kPlaneRows = 64;
+  constexpr std::size_t kStride = 128;
+  const int margin = 16;
+  ASSERT_LE(f.radius, margin);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> value(0, 1);
+  std::vector<float> source(kSourcePlanes * kStride * kPlaneRows);
+  for (float& v : source) v = value(random);
+  std::vector<const float*> rows;
+  for (int i = 0; i < kPlaneRows; ++i) rows.push_back(&source[kSourcePlanes * kStride * static_cast<std::size_t>(i)]);
+  // Of both directions: weights of the half kernels, -1 times those of the negative side for the antisymmetric one.
+  const auto filtered = [&](SourcePlane plane, int x, int row, const std::vector<float>& alongY, double signY,
+                            const std::vector<float>& alongX, double signX) {
+    const auto weight = [](const std::vector<float>& half, double sign, int k) {
+      const auto i = static_cast<std::size_t>(std::abs(k));
+      return i < half.size() ? static_cast<double>(half[i]) * (k < 0 ? sign : 1) : 0.;
+    };
+    double sum = 0;
+    for (int dy = -f.radius; dy <= f.radius; ++dy)
+      for (int dx = -f.radius; dx <= f.radius; ++dx)
+        sum += weight(alongY, signY, dy) * weight(alongX, signX, dx) *
+               static_cast<double>(rows[static_cast<std::size_t>(f.radius + row + dy)][plane * kStride + x + dx]);
+    return sum;
+  };
+  std::vector<float> planes(kFilteredPlanes * kStride * kBatchRows);
+  std::vector<float> out[5];
+  for (auto& plane : out) plane.resize((kColumns + 3) * kBatchRows);
+  for (int rowCount : {1, 6, kBatchRows})
+    for (const FilterInput& input : {kReferenceInput, kTestInput}) {
+      filterAcrossRows(f, input, rows.data(), kStride, 0, margin + kColumns + f.radius, rowCount, planes.data());
+      filterAlongRows(f, planes.data(), kStride, margin, kColumns, rowCount,
+                      {out[0].data(), out[1].data(), out[2].data(), out[3].data(), out[4].data()});
+      for (int x : {0, 1, 2, 3, 17, kColumns - 1})
+        for (int row = 0; row < rowCount; ++row) {
+          const auto expected = [&](SourcePlane plane, const std::vector<float>& half) {
+            return filtered(plane, margin + x, row, half, 1, half, 1);
+          };
+          const auto squared = [&](const std::vector<float>& half, double sign) {
+            return std::pow(filtered(input.featureY, margin + x, row, f.gauss, 1, half, sign), 2) +
+                   std::pow(filtered(input.featureY, margin + x, row, half, sign, f.gauss, 1), 2);
+          };
+          const double want[] = {expected(input.y, f.luma), expected(input.xMinusY, f.redGreen),
+                                 expected(input.yMinusZ, f.blueYellowA) + expected(input.yMinusZ, f.blueYellowB),
+                                 squared(f.edge, -1), squared(f.point, 1)};
+          for (std::size_t p = 0; p < 5; ++p)
+            ASSERT_NEAR(static_cast<double>(out[p][static_cast<std::size_t>(x * kBatchRows + row)]), want[p], 2e-6)
+                << "plane " << p << ", column " << x << ", row " << row << " of " << rowCount;
+        }
+    }
+}
+
+TEST_P(FlipRows, ColumnsBecomeRows) {
+  std::vector<float> columns(24 * kBatchRows);
+  for (std::size_t i = 0; i < columns.size(); ++i) columns[i] = static_cast<float>(i);
+  for (int count : {1, 4, 13, 24}) {
+    std::vector<float> rows(kBatchRows * 30, -1.f);
+    rowsOfColumns(columns.data(), count, kBatchRows, rows.data(), 30);
+    for (int r = 0; r < kBatchRows; ++r)
+      for (int x = 0; x < 30; ++x) {
+        const float found = rows[static_cast<std::size_t>(r * 30 + x)];
+        if (x < count || x >= (count + 3) / 4 * 4) {
+          ASSERT_EQ(found, x < count ? static_cast<float>(x * kBatchRows + r) : -1.f) << x << ", " << r;
+        }
+      }
+  }
+}
+
+TEST_P(FlipRows, TheLargestIsKeptWithItsMarkAndTheFirstOfEqualOnes) {
+  std::vector<float> largest(37, 0.5f), marks(37, 0.25f), values(37);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i % 3) * 0.5f; // below, equal, above
+  keepLargest(values.data(), 35, 0.75f, largest.data(), marks.data());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool isLarger = i % 3 == 2 && i < 35;
+    ASSERT_EQ(largest[i], isLarger ? 1.f : 0.5f) << i;
+    ASSERT_EQ(marks[i], isLarger ? 0.75f : 0.25f) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SimdLevels, FlipRows, ::testing::ValuesIn(base::simdLevels()),
+                         [](const auto& instance) { return instance.param; });
+
+// At each place of two cells and a shorter one.
+TEST(FlipParts, CellsThatDifferInAnyByteAreMarked) {
+  constexpr std::size_t kCell = 24, kCount = 2 * kCell + 5;
+  const std::vector<std::uint8_t> a(kCount, 7);
+  for (std::size_t place = 0; place < kCount; ++place) {
+    std::vector<std::uint8_t> b = a;
+    b[place] = 8;
+    std::uint64_t bits = 0;
+    markDifferences(a.data(), b.data(), kCount, kCell, &bits);
+    ASSERT_EQ(bits, std::uint64_t{1} << (place / kCell)) << place;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(SimdLevels, FlipDecoding, ::testing::ValuesIn(base::simdLevels()),
                          [](const auto& instance) { return instance.param; });
 

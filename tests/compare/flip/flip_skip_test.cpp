@@ -37,10 +37,10 @@ std::uint64_t countBeyondReach(const base::Image& image, const base::Image& othe
 }
 
 TEST(FlipSkip, EqualPartsAreNotFilteredAndTheRestIsTheOracles) {
-  const base::Image reference = makeImage(Kind::noise, 300, 120, 1);
+  const base::Image reference = makeImage(Kind::noise, 360, 120, 1);
   base::Image test = reference;
   for (int y = 40; y < 60; ++y)
-    for (int x = 250; x < 262; ++x) test.at(x, y)[1] = 0.5f; // across the seam of two tiles
+    for (int x = 314; x < 326; ++x) test.at(x, y)[1] = 0.5f; // across the seam of two tiles
   test.at(3, 100)[0] = 0.9f;
   const FlipMaps maps = flipMaps(reference, test);
   const std::vector<double> exact = oracle::flip(reference, test, static_cast<double>(kDefaultPixelsPerDegree)).flip;
@@ -49,7 +49,7 @@ TEST(FlipSkip, EqualPartsAreNotFilteredAndTheRestIsTheOracles) {
   const std::uint64_t reached =
       reference.pixelCount() - countBeyondReach(reference, test, colorFilterRadius(FlipOptions{}.ppd));
   EXPECT_GE(maps.filteredPixels, reached);
-  // Whole blocks of 32 x 8 with their surroundings are taken: here not even three times what is reached.
+  // Whole blocks of 16 x 16 with their surroundings are taken: here not even three times what is reached.
   EXPECT_LT(maps.filteredPixels, 3 * reached);
   EXPECT_EQ(flipMaps(reference, reference).filteredPixels, 0u);
 }
@@ -57,14 +57,14 @@ TEST(FlipSkip, EqualPartsAreNotFilteredAndTheRestIsTheOracles) {
 // Few changes at random, in corners, and where blocks and tiles meet: none is overlooked.
 TEST(FlipSkip, SparseChangesAnywhereGiveTheOraclesMap) {
   std::mt19937 random(31);
-  const int sizes[][2] = {{600, 9}, {257, 40}, {33, 70}, {64, 64}, {300, 20}};
+  const int sizes[][2] = {{600, 9}, {321, 40}, {33, 70}, {64, 64}, {300, 20}};
   for (unsigned round = 0; round < 40; ++round) {
     const auto& [width, height] = sizes[round % std::size(sizes)];
     const float ppd = std::array{1.f, 10.f, kDefaultPixelsPerDegree, 200.f}[round / 5 % 4];
     const base::Image reference = makeImage(Kind::noise8, width, height, round);
     base::Image test = reference;
     const int places[][2] = {{0, 0},  {width - 1, 0}, {0, height - 1}, {width - 1, height - 1},
-                             {31, 4}, {32, 5},        {255, 7},        {256, 8},
+                             {31, 4}, {32, 5},        {319, 15},       {320, 16},
                              {7, 7},  {8, 8},         {width / 2, 3},  {static_cast<int>(random() % 600), 6}};
     for (unsigned change = 0; change <= round % 3; ++change) {
       const auto& [x, y] = places[random() % std::size(places)];

@@ -14,7 +14,7 @@
 namespace parity::compare {
 namespace {
 
-constexpr int kWidth = 301, kHeight = 283; // beyond a tile either way
+constexpr int kWidth = 371, kHeight = 283; // beyond a tile either way
 
 struct List {
   const char* what;
@@ -36,10 +36,10 @@ std::vector<std::uint32_t> everyNth(std::uint32_t n, std::uint32_t first) {
 
 std::vector<List> makeLists() {
   return {
-      {"all pixels", everyNth(1, 0)},          {"a box across tiles", boxOf(200, 240, 280, 270)},
+      {"all pixels", everyNth(1, 0)},          {"a box across tiles", boxOf(290, 240, 350, 270)},
       {"a corner", boxOf(0, 0, 20, 30)},       {"the other corner", boxOf(kWidth - 9, kHeight - 5, kWidth, kHeight)},
       {"thin rows", boxOf(10, 100, 290, 101)}, {"scattered", everyNth(97, 5)},
-      {"one pixel", {150 * kWidth + 256}},     {"none", {}}};
+      {"one pixel", {150 * kWidth + 320}},     {"none", {}}};
 }
 
 // The values of an image at the pixels.
@@ -129,7 +129,7 @@ TEST(FlipSwap, WhatIsEqualIsZeroHoweverManyOthersDiffer) {
 TEST(FlipSwap, OnePixelThatDiffersReachesAllAroundIt) {
   const base::Image8 reference = toBytes(test::makeImage(test::Kind::smooth, kWidth, kHeight, 17));
   const std::vector<std::uint32_t> all = everyNth(1, 0);
-  for (const std::uint32_t pixel : {64u * kWidth + 64, 63u * kWidth + 95, 256u * kWidth + 256, 255u * kWidth + 255}) {
+  for (const std::uint32_t pixel : {64u * kWidth + 64, 63u * kWidth + 95, 256u * kWidth + 320, 255u * kWidth + 319}) {
     base::Image8 other = reference;
     for (std::size_t c = 0; c < 3; ++c) other.pixels[3 * std::size_t{pixel} + c] ^= 0x80;
     const base::Image8 colors = gather(other, all);
