@@ -17,6 +17,7 @@
 #include "base/image/exr_check.h"
 #include "base/image/exr_read.h"
 #include "base/image/hdr_header.h"
+#include "base/image/hdr_read.h"
 #include "base/image/image_format.h"
 #include "base/image/image_module.h"
 #include "base/image/jpeg_header.h"
@@ -185,6 +186,8 @@ ImageFile readImageFile(const fs::path& file, const ImageLimits& limits) {
       return {toImage(*samples), samples->info};
   if (format == ImageFormat::exr)
     if (std::optional<ImageFile> read = readExr(readFile(file), limits)) return std::move(*read);
+  if (format == ImageFormat::hdr)
+    if (std::optional<ImageFile> read = readHdr(readFile(file), limits)) return std::move(*read);
   return imageModule().read(source);
 }
 
@@ -248,6 +251,8 @@ ImageFile decodeRadiance(std::span<const std::byte> bytes, const std::string& na
   source.limits.maxPixels = std::min(limits.maxPixels, kMaxRadiancePixels);
   if (*format == ImageFormat::exr)
     if (std::optional<ImageFile> read = readExr(bytes, source.limits)) return std::move(*read);
+  if (*format == ImageFormat::hdr)
+    if (std::optional<ImageFile> read = readHdr(bytes, source.limits)) return std::move(*read);
   if (imageModule().readShape(source).integer)
     throw fileError(name, "",
                     "holds integers, so it is not an HDR environment; give a .hdr, .exr or .pfm file of floats");

@@ -1,5 +1,5 @@
-// Image files. Plain PNG and OpenEXR, WebP and PFM are read here; all else by OpenImageIO, which is loaded on first use:
-// its 261 shared libraries would cost every start 0.3 s.
+// Image files. Plain PNG, OpenEXR and Radiance HDR, WebP and PFM are read here; all else by OpenImageIO, which is
+// loaded on first use: its 261 shared libraries would cost every start 0.3 s.
 #pragma once
 
 #include <array>
@@ -83,8 +83,8 @@ bool isIntegerImage(const std::filesystem::path& file);
 struct WriteOptions {
   std::vector<std::string> channelNames; // EXR only, distinct; empty: R,G,B,A or Y or Y,A
   bool half = false;                     // EXR only: store 16-bit floats; beyond 65504 they are infinite
-  // libdeflate's level, 1 to 12. Of rendered pictures 1 takes 10 to 12 ms a million pixels of RGB; 6 takes twice as long
-  // for 6 % fewer bytes. Of plots 6 is smaller by far.
+  // libdeflate's level, 1 to 12. Of rendered pictures 1 takes 10 to 12 ms a million pixels of RGB; 6 takes twice as
+  // long for 6 % fewer bytes. Of plots 6 is smaller by far.
   int pngCompression = 1;
 };
 

@@ -10,68 +10,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "base/error.h"
-#include "report/reader.h"
+#include "report/record/node.h"
 #include "report/record/record.h"
 
 namespace parity::report {
-
-// A value and the way to it.
-class Node {
-public:
-  Node(const nlohmann::json& value, std::string file, std::string place, ReadDepth depth = ReadDepth::figures)
-      : m_value(value), m_file(std::move(file)), m_place(std::move(place)), m_depth(depth) {}
-
-  [[noreturn]] void refuse(const std::string& reason) const {
-    throw base::fileError(m_file, m_place.empty() ? "/" : m_place, reason);
-  }
-  Node at(const std::string& key) const {
-    if (!m_value.is_object()) refuse("is not an object");
-    const auto found = m_value.find(key);
-    if (found == m_value.end()) refuse(fmt::format("lacks '{}'", key));
-    return {*found, m_file, m_place + "/" + key, m_depth};
-  }
-  bool has(const std::string& key) const { return m_value.is_object() && m_value.contains(key); }
-  std::vector<Node> items() const {
-    if (!m_value.is_array()) refuse("is not a list");
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < m_value.size(); ++i)
-      nodes.emplace_back(m_value[i], m_file, m_place + "/" + std::to_string(i), m_depth);
-    return nodes;
-  }
-  std::vector<std::pair<std::string, Node>> members() const {
-    if (!m_value.is_object()) refuse("is not an object");
-    std::vector<std::pair<std::string, Node>> nodes;
-    for (const auto& [key, value] : m_value.items())
-      nodes.emplace_back(key, Node(value, m_file, m_place + "/" + key, m_depth));
-    return nodes;
-  }
-  bool isNull() const { return m_value.is_null(); }
-  ReadDepth depth() const { return m_depth; }
-  std::string text() const {
-    if (!m_value.is_string()) refuse("is not a string");
-    return m_value.get<std::string>();
-  }
-  double number() const {
-    if (!m_value.is_number()) refuse("is not a number");
-    return m_value.get<double>();
-  }
-  bool flag() const {
-    if (!m_value.is_boolean()) refuse("is neither true nor false");
-    return m_value.get<bool>();
-  }
-  std::uint64_t count() const {
-    if (!m_value.is_number_unsigned()) refuse("is not a whole number of at least 0");
-    return m_value.get<std::uint64_t>();
-  }
-
-private:
-  const nlohmann::json& m_value;
-  std::string m_file, m_place;
-  ReadDepth m_depth;
-};
 
 template <Described T> void readRecord(const Node& node, T& record);
 

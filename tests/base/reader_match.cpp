@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "base/image/exr_check.h"
 #include "base/image/exr_read.h"
+#include "base/image/hdr_read.h"
 #include "base/image/image_module.h"
 #include "base/image/png_check.h"
 #include "base/image/png_read.h"
@@ -69,7 +70,8 @@ bool isChecked(std::span<const std::byte> bytes, const std::string& name) {
 
 bool expectAsLibrary(const std::filesystem::path& file, std::span<const std::byte> bytes, OwnReader own) {
   if (own == OwnReader::mayRefuse && !isChecked(bytes, file.string())) return false;
-  const bool isPng = bytes.size() > 1 && bytes[1] == std::byte{'P'};
+  const bool isPng = bytes.size() > 1 && bytes[1] == std::byte{'P'},
+             isHdr = bytes.size() > 1 && bytes[0] == std::byte{'#'};
   const std::size_t noLimit = ImageLimits{}.maxBytes;
   std::optional<ImageFile> ours;
   std::optional<PngSamples> samples;
@@ -78,6 +80,8 @@ bool expectAsLibrary(const std::filesystem::path& file, std::span<const std::byt
     samples = readPng(bytes, PngUse::samplesOnly, noLimit, 4);
     if (const auto described = readPng(bytes, PngUse::described, noLimit, 4))
       ours = ImageFile{toImage(*described), described->info};
+  } else if (isHdr) {
+    ours = readHdr(bytes, {});
   } else {
     ours = readExr(bytes, {});
     shape = readExrShape(bytes, bytes.size(), {});
@@ -86,7 +90,7 @@ bool expectAsLibrary(const std::filesystem::path& file, std::span<const std::byt
     EXPECT_TRUE(ours.has_value());
   }
   if (!ours && !samples && !shape) return false;
-  const ImageSource source{.name = file.string(), .format = isPng ? "png" : "openexr", .bytes = bytes};
+  const ImageSource source{.name = file.string(), .format = isPng ? "png" : isHdr ? "hdr" : "openexr", .bytes = bytes};
   try {
     if (shape) {
       const ImageShape theirs = library().readShape(source);
