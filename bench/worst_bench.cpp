@@ -1,4 +1,5 @@
-// Whether parity worst finds what many views at random find: build/bench_worst [--views N] [--env ENV] [--sun] SCENE...
+// Whether parity worst finds what many views at random find:
+//   build/bench_worst [--views N] [--points N] [--refined N] [--env ENV] [--sun] SCENE...
 //
 // For each scene the time of the search, its worst mean FLIP, and that of N (2,000) random views of the same domain at
 // the same size.
@@ -14,11 +15,16 @@
 int main(int argc, char** argv) {
   using namespace parity;
   int views = 2000, found = 0, scenes = 0;
+  explain::WorstOptions options;
   std::string environment = "builtin:studio";
   bool sun = false;
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--views") == 0) {
       views = std::atoi(argv[++i]);
+    } else if (std::strcmp(argv[i], "--points") == 0) {
+      options.points = std::atoi(argv[++i]);
+    } else if (std::strcmp(argv[i], "--refined") == 0) {
+      options.refined = std::atoi(argv[++i]);
     } else if (std::strcmp(argv[i], "--env") == 0) {
       environment = argv[++i];
     } else if (std::strcmp(argv[i], "--sun") == 0) {
@@ -33,11 +39,11 @@ int main(int argc, char** argv) {
       request.views = {{}};
       job::Context context(request.settings);
       const base::Stopwatch watch(nullptr, "");
-      const explain::WorstResult result = explain::findWorst(context, request, {}, {});
+      const explain::WorstResult result = explain::findWorst(context, request, options, {});
       const double seconds = watch.elapsedMs() / 1000;
       double searched = 0;
       for (const explain::WorstView& view : result.views) searched = std::max(searched, view.searched);
-      const double random = explain::worstOfRandomViews(context, request, {}, views, 1);
+      const double random = explain::worstOfRandomViews(context, request, options, views, 1);
       ++scenes;
       found += searched >= random;
       std::printf("%-60s %5.1f s  found %.4f  random %.4f  %s\n", argv[i], seconds, searched, random,

@@ -13,8 +13,10 @@ endfunction()
 # build error.
 #
 # Functions are inlined, and local variables become values: a driver makes its pipelines in a third less time. No pass of
-# these reorders or merges arithmetic, so results keep their bits.
-set(PARITY_SPIRV_PASSES --merge-return --eliminate-dead-functions --inline-entry-points-exhaustive --eliminate-dead-functions
+# these reorders or merges arithmetic, so results keep their bits. Resources and constants stay although nothing reads them: a
+# preset folder may.
+set(PARITY_SPIRV_PASSES --preserve-bindings --preserve-spec-constants --merge-return --eliminate-dead-functions
+  --inline-entry-points-exhaustive --eliminate-dead-functions
   --eliminate-local-single-block --eliminate-local-single-store --ssa-rewrite --eliminate-dead-code-aggressive)
 
 function(parity_shaders target)

@@ -78,7 +78,7 @@ struct Found {
 };
 
 // Of so many points. A search that has few of them has slow pictures.
-int refinedFor(int points) { return points < 300 ? 6 : 8; }
+int refinedFor(int points) { return points < 300 ? 6 : points < 1500 ? 8 : 24; }
 
 class Search {
 public:
@@ -219,7 +219,7 @@ int pointsFor(std::size_t triangles) {
   // A picture takes as long as 10,000 triangles, and its own; 30 to 60 s for a search, measured on two cores
   // (bench/worst_bench.cpp).
   constexpr double kWork = 3.2e7, kOfAPicture = 1e4;
-  constexpr int kFewest = 250, kMost = 1600;
+  constexpr int kFewest = 250, kMost = 2000;
   return std::clamp(static_cast<int>(kWork / (static_cast<double>(triangles) + kOfAPicture)), kFewest, kMost);
 }
 

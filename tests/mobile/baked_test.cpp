@@ -58,6 +58,7 @@ protected:
     if (content) maps.emplace(gpu::makeBakedMaps(device(), *content));
     inputs.baked = maps ? &*maps : nullptr;
     inputs.terms = inputs.view == kViewLit;
+    inputs.compilation.store = &pipelines();
     return tests::shadeQuads(device(), scene, uvs, [&](const auto& buffers, const auto& kinds) {
       return Renderer(device(), buffers, kinds, inputs, options);
     });

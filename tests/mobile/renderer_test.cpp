@@ -25,6 +25,7 @@ class MobileTest : public tests::DeviceTest {
 protected:
   ShadedPoint shade(const scenes::Scene& scene, Inputs inputs, const Options& options) {
     inputs.terms = inputs.view == kViewLit;
+    inputs.compilation.store = &pipelines();
     return tests::shadeQuad(device(), scene, [&](const auto& buffers, const auto& kinds) {
       return Renderer(device(), buffers, kinds, inputs, options);
     });

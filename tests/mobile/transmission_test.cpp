@@ -21,6 +21,7 @@ class MobileTransmissionTest : public tests::DeviceTest {
 protected:
   ShadedPoint shade(const scenes::Scene& scene, Inputs inputs, const Options& options) {
     inputs.terms = true;
+    inputs.compilation.store = &pipelines();
     return tests::shadeQuad(device(), scene, [&](const auto& buffers, const auto& kinds) {
       return Renderer(device(), buffers, kinds, inputs, options);
     });

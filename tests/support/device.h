@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "gpu/device/device.h"
+#include "gpu/device/pipeline.h"
 
 namespace parity::tests {
 
@@ -26,9 +27,12 @@ protected:
     }
   }
   const gpu::Device& device() const { return *m_device; }
+  // For all renderers of the test: what one has compiled serves the others.
+  gpu::PipelineStore& pipelines() { return m_pipelines; }
 
 private:
   std::unique_ptr<gpu::Device> m_device;
+  gpu::PipelineStore m_pipelines;
 };
 
 } // namespace parity::tests

@@ -12,7 +12,7 @@ namespace parity::explain {
 namespace {
 
 TEST(Search, TakesFewerPicturesOfScenesOfMoreTriangles) {
-  EXPECT_EQ(pointsFor(0), 1600);
+  EXPECT_EQ(pointsFor(0), 2000);
   EXPECT_EQ(pointsFor(10'000'000), 250);
   for (std::size_t triangles = 1; triangles < 10'000'000; triangles *= 2)
     EXPECT_LE(pointsFor(2 * triangles), pointsFor(triangles));
