@@ -1,5 +1,5 @@
-// Image files. Plain PNG and OpenEXR, WebP and PFM are read here; all else by OpenImageIO, which is loaded on first use:
-// its 261 shared libraries would cost every start 0.3 s.
+// Image files. Plain PNG, OpenEXR and TIFF, WebP and PFM are read here; all else by OpenImageIO, which is loaded on
+// first use: its 261 shared libraries would cost every start 0.3 s.
 #pragma once
 
 #include <array>
@@ -47,6 +47,16 @@ struct ImageFile {
 // readImage(), and what else the file says. Throws Error (exit 4).
 ImageFile readImageFile(const std::filesystem::path& file, const ImageLimits& limits = {});
 
+// readImageFile(), but of PNG and TIFF files of 8-bit integers, where they are plain, `bytes` holds the pixels as
+// stored, and file.pixels is empty.
+struct StoredImage {
+  ImageFile file;
+  Image8 bytes;
+};
+StoredImage readStoredImage(const std::filesystem::path& file, const ImageLimits& limits = {});
+// Divided by 255, as readImage() has them.
+Image toFloats(const Image8& bytes);
+
 // How large a picture is, by its header.
 struct ImageShape {
   int width = 0, height = 0;
@@ -83,8 +93,8 @@ bool isIntegerImage(const std::filesystem::path& file);
 struct WriteOptions {
   std::vector<std::string> channelNames; // EXR only, distinct; empty: R,G,B,A or Y or Y,A
   bool half = false;                     // EXR only: store 16-bit floats; beyond 65504 they are infinite
-  // libdeflate's level, 1 to 12. Of rendered pictures 1 takes 10 to 12 ms a million pixels of RGB; 6 takes twice as long
-  // for 6 % fewer bytes. Of plots 6 is smaller by far.
+  // libdeflate's level, 1 to 12. Of rendered pictures 1 takes 10 to 12 ms a million pixels of RGB; 6 takes twice as
+  // long for 6 % fewer bytes. Of plots 6 is smaller by far.
   int pngCompression = 1;
 };
 
