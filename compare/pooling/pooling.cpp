@@ -12,13 +12,12 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "compare/metrics/metrics.h"
+#include "compare/pooling/pieces.h"
 #include "compare/pooling/stretch.h"
 #include "compare/pooling/value_histogram.h"
 
 namespace parity::compare {
 namespace {
-
-constexpr std::size_t kPiecePixels = 65536; // about; one task, with a histogram of its own
 
 using Buckets = std::array<std::uint64_t, 100>;
 
@@ -59,10 +58,9 @@ public:
 
 private:
   std::size_t addPiece(const base::Image& plane, const RegionRuns& region, std::size_t run) {
-    for (std::size_t pixels = 0; run < region.runs.size() && pixels < kPiecePixels; ++run) {
+    for (const std::size_t end = endOfPiece(region, run); run < end; ++run) {
       const Run& r = region.runs[run];
       m_stretches.push_back({plane.pixels.data() + r.first, region.weightsOf(r), r.count});
-      pixels += r.count;
     }
     m_ends.push_back(m_stretches.size());
     return run;
