@@ -72,32 +72,6 @@ std::vector<std::byte> readHead(const fs::path& file) {
   return head;
 }
 
-// As the library calls the reader of a format.
-const char* readerOf(ImageFormat format) {
-  switch (format) {
-  case ImageFormat::png:
-    return "png";
-  case ImageFormat::jpeg:
-    return "jpeg";
-  case ImageFormat::tiff:
-    return "tiff";
-  case ImageFormat::webp:
-    return "webp";
-  case ImageFormat::hdr:
-    return "hdr";
-  case ImageFormat::exr:
-    return "openexr";
-  case ImageFormat::bmp:
-    return "bmp";
-  case ImageFormat::targa:
-    return "targa";
-  case ImageFormat::pfm:
-  case ImageFormat::pnm:
-    return "pnm";
-  }
-  return "";
-}
-
 ImageFormat requireFormat(std::span<const std::byte> head, const std::string& name, const std::string& extension) {
   if (const std::optional<ImageFormat> format = findImageFormat(head, extension)) return *format;
   throw fileError(name, "cannot be decoded", "is not one of " + std::string(kImageFormats));
