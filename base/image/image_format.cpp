@@ -56,4 +56,29 @@ std::optional<ImageFormat> findImageFormat(std::span<const std::byte> bytes, std
   return std::nullopt;
 }
 
+const char* readerOf(ImageFormat format) {
+  switch (format) {
+  case ImageFormat::png:
+    return "png";
+  case ImageFormat::jpeg:
+    return "jpeg";
+  case ImageFormat::tiff:
+    return "tiff";
+  case ImageFormat::webp:
+    return "webp";
+  case ImageFormat::hdr:
+    return "hdr";
+  case ImageFormat::exr:
+    return "openexr";
+  case ImageFormat::bmp:
+    return "bmp";
+  case ImageFormat::targa:
+    return "targa";
+  case ImageFormat::pfm:
+  case ImageFormat::pnm:
+    return "pnm";
+  }
+  return "";
+}
+
 } // namespace parity::base

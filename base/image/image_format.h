@@ -19,4 +19,7 @@ inline constexpr std::string_view kImageFormats = "PNG, JPEG, TIFF, WebP, Radian
 // outside of their buffers, before the size of the picture is known.
 std::optional<ImageFormat> findImageFormat(std::span<const std::byte> head, std::string_view extension);
 
+// As the image library calls the reader of the format.
+const char* readerOf(ImageFormat format);
+
 } // namespace parity::base

@@ -25,6 +25,7 @@
 #include "base/image/png_check.h"
 #include "base/image/png_read.h"
 #include "base/image/png_write.h"
+#include "base/image/tiff_read.h"
 #include "base/image/webp.h"
 #include "base/module_file.h"
 #include "base/parallel.h"
@@ -70,32 +71,6 @@ std::vector<std::byte> readHead(const fs::path& file) {
   stream.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
   return head;
-}
-
-// As the library calls the reader of a format.
-const char* readerOf(ImageFormat format) {
-  switch (format) {
-  case ImageFormat::png:
-    return "png";
-  case ImageFormat::jpeg:
-    return "jpeg";
-  case ImageFormat::tiff:
-    return "tiff";
-  case ImageFormat::webp:
-    return "webp";
-  case ImageFormat::hdr:
-    return "hdr";
-  case ImageFormat::exr:
-    return "openexr";
-  case ImageFormat::bmp:
-    return "bmp";
-  case ImageFormat::targa:
-    return "targa";
-  case ImageFormat::pfm:
-  case ImageFormat::pnm:
-    return "pnm";
-  }
-  return "";
 }
 
 ImageFormat requireFormat(std::span<const std::byte> head, const std::string& name, const std::string& extension) {
@@ -178,17 +153,43 @@ Image8 roundTo8(const Image& image) {
 Image readImage(const fs::path& file, const ImageLimits& limits) { return readImageFile(file, limits).pixels; }
 
 ImageFile readImageFile(const fs::path& file, const ImageLimits& limits) {
+  StoredImage stored = readStoredImage(file, limits);
+  if (!stored.bytes.empty()) stored.file.pixels = toFloats(stored.bytes);
+  return std::move(stored.file);
+}
+
+StoredImage readStoredImage(const fs::path& file, const ImageLimits& limits) {
   const auto [format, source, png] = checkFile(file, limits);
-  if (format == ImageFormat::webp) return readWebp(readFile(file), source.name, limits);
-  if (format == ImageFormat::pfm) return describePfm(readPfm(file, limits));
+  if (format == ImageFormat::webp) return {readWebp(readFile(file), source.name, limits), {}};
+  if (format == ImageFormat::pfm) return {describePfm(readPfm(file, limits)), {}};
   if (format == ImageFormat::png)
-    if (const auto samples = readPng(png, PngUse::described, limits.maxBytes, sizeof(float)))
-      return {toImage(*samples), samples->info};
+    if (const auto samples = readPng(png, PngUse::described, limits.maxBytes, sizeof(float))) {
+      if (samples->info.bits == 8) return {{{}, samples->info}, toImage8(*samples)};
+      return {{toImage(*samples), samples->info}, {}};
+    }
   if (format == ImageFormat::exr)
-    if (std::optional<ImageFile> read = readExr(readFile(file), limits)) return std::move(*read);
+    if (std::optional<ImageFile> read = readExr(readFile(file), limits)) return {std::move(*read), {}};
   if (format == ImageFormat::hdr)
-    if (std::optional<ImageFile> read = readHdr(readFile(file), limits)) return std::move(*read);
-  return imageModule().read(source);
+    if (std::optional<ImageFile> read = readHdr(readFile(file), limits)) return {std::move(*read), {}};
+  if (format == ImageFormat::tiff)
+    if (std::optional<TiffPicture> read = readTiff(file, limits, sizeof(float))) {
+      const ImageInfo info = read->info;
+      if (Image8* bytes = std::get_if<Image8>(&read->pixels)) return {{{}, info}, std::move(*bytes)};
+      return {{toImage(std::move(*read)), info}, {}};
+    }
+  return {imageModule().read(source), {}};
+}
+
+Image toFloats(const Image8& bytes) {
+  // Division, not multiplication with a reciprocal: v/255 is exact where other programs are.
+  std::array<float, 256> shares;
+  for (std::size_t v = 0; v < shares.size(); ++v) shares[v] = static_cast<float>(v) / 255.0f;
+  Image image;
+  image.width = bytes.width, image.height = bytes.height, image.channels = bytes.channels;
+  image.pixels.resize(bytes.pixels.size());
+  std::transform(bytes.pixels.begin(), bytes.pixels.end(), image.pixels.begin(),
+                 [&](std::uint8_t v) { return shares[v]; });
+  return image;
 }
 
 ImageShape readImageShape(const fs::path& file, const ImageLimits& limits) {
@@ -199,6 +200,8 @@ ImageShape readImageShape(const fs::path& file, const ImageLimits& limits) {
   if (format == ImageFormat::webp) return readWebpShape(readHead(file), source.name, limits);
   if (format == ImageFormat::exr)
     if (const auto shape = readExrShape(readHead(file), regularFileSize(file), limits)) return *shape;
+  if (format == ImageFormat::tiff)
+    if (const auto shape = readTiffShape(file, limits)) return *shape;
   return imageModule().readShape(source);
 }
 
@@ -208,6 +211,9 @@ BasicImage<std::uint32_t> readIntegers(const fs::path& file, const ImageLimits& 
   if (format == ImageFormat::png)
     if (const auto samples = readPng(png, PngUse::samplesOnly, limits.maxBytes, sizeof(std::uint32_t)))
       return toIntegers(*samples);
+  if (format == ImageFormat::tiff)
+    if (const auto read = readTiff(file, limits, sizeof(std::uint32_t)))
+      if (auto integers = toIntegers(*read)) return std::move(*integers);
   if (format != ImageFormat::webp) return imageModule().readIntegers(source);
   const Image8 stored = decodeWebp(readFile(file), source.name, 4, limits);
   BasicImage<std::uint32_t> wide(stored.width, stored.height, stored.channels);
@@ -222,6 +228,9 @@ Image8 readImage8(const fs::path& file, int channels, const ImageLimits& limits)
   if (format == ImageFormat::png)
     if (const auto samples = readPng(png, PngUse::samplesOnly, limits.maxBytes, 1, channels))
       return toImage8(*samples, channels);
+  if (format == ImageFormat::tiff)
+    if (auto read = readTiff(file, limits, 1, channels))
+      if (auto bytes = toImage8(std::move(*read), channels)) return std::move(*bytes);
   return imageModule().read8(source, channels);
 }
 

@@ -1,4 +1,4 @@
-// Image files. Plain PNG, OpenEXR and Radiance HDR, WebP and PFM are read here; all else by OpenImageIO, which is
+// Image files. Plain PNG, OpenEXR, Radiance HDR and TIFF, WebP and PFM are read here; all else by OpenImageIO, which is
 // loaded on first use: its 261 shared libraries would cost every start 0.3 s.
 #pragma once
 
@@ -46,6 +46,16 @@ struct ImageFile {
 
 // readImage(), and what else the file says. Throws Error (exit 4).
 ImageFile readImageFile(const std::filesystem::path& file, const ImageLimits& limits = {});
+
+// readImageFile(), but of PNG and TIFF files of 8-bit integers, where they are plain, `bytes` holds the pixels as
+// stored, and file.pixels is empty.
+struct StoredImage {
+  ImageFile file;
+  Image8 bytes;
+};
+StoredImage readStoredImage(const std::filesystem::path& file, const ImageLimits& limits = {});
+// Divided by 255, as readImage() has them.
+Image toFloats(const Image8& bytes);
 
 // How large a picture is, by its header.
 struct ImageShape {

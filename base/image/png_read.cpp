@@ -219,6 +219,12 @@ Image8 toImage8(const PngSamples& samples, int channels) {
   });
 }
 
+Image8 toImage8(const PngSamples& samples) {
+  return convert<std::uint8_t>(
+      samples, samples.channels,
+      [](const std::uint8_t* row, std::size_t count, std::uint8_t* to) { std::memcpy(to, row, count); });
+}
+
 BasicImage<std::uint32_t> toIntegers(const PngSamples& samples) {
   const bool isWide = samples.info.bits == 16;
   return convert<std::uint32_t>(samples, samples.channels,

@@ -33,6 +33,7 @@ std::optional<PngSamples> readPng(std::span<const std::byte> bytes, PngUse use, 
 
 Image toImage(const PngSamples& samples);                        // stored / maximum
 Image8 toImage8(const PngSamples& samples, int channels);        // as readImage8() says
+Image8 toImage8(const PngSamples& samples);                      // of 8 bit: as stored
 BasicImage<std::uint32_t> toIntegers(const PngSamples& samples); // as stored
 
 } // namespace parity::base

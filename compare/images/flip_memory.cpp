@@ -24,8 +24,8 @@ std::size_t readingBytes(const base::ImageShape& shape) {
 }
 
 // Of a pixel, while it is measured: both colours (18 bytes more than two of 8 bits take); of floats also what is
-// displayed; alpha; the list of the region's pixels, the map that is kept, and five at work (of `bias`, one of the
-// default metrics, the most of any but the SSIMs).
+// displayed; alpha; the list of the region's pixels, the map that is kept, and five at work (no metric but
+// the SSIMs takes more).
 std::size_t measuringBytes(const base::ImageShape& reference, const base::ImageShape& test,
                            const FlipRequest& request) {
   std::size_t bytes = 7 * kPlaneBytes;

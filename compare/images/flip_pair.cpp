@@ -28,8 +28,14 @@ struct Pictures {
 
 Pictures readPictures(const FlipRequest& request, const FilePair& files) {
   Pictures pictures;
-  base::parallelInvoke({[&] { pictures.reference = readPlainImage(files.reference, request.image); },
-                        [&] { pictures.test = readPlainImage(files.test, request.image); }});
+  PlainImageOptions options = request.image;
+  options.keepBytes = request.range != DynamicRange::hdr; // which needs light
+  base::parallelInvoke({[&] { pictures.reference = readPlainImage(files.reference, options); },
+                        [&] { pictures.test = readPlainImage(files.test, options); }});
+  if (pictures.reference.bytes.empty() || pictures.test.bytes.empty()) {
+    spreadBytes(pictures.reference);
+    spreadBytes(pictures.test);
+  }
   return pictures;
 }
 
@@ -155,6 +161,8 @@ std::optional<base::Image8> asBytes(const base::Image& image) {
 // Of 8-bit pictures the bytes are kept alone: pictures' colours are empty then.
 Measurement measureColors(Pictures& pictures, const std::vector<base::PixelList>& regions,
                           const MeasureRequest& request, bool hdr) {
+  if (!pictures.reference.bytes.empty())
+    return measureRegions({pictures.reference.bytes, pictures.test.bytes}, regions, request);
   base::Image display[2], linear[2]; // only what is not at hand
   std::optional<base::Image8> bytes[2];
   PlainImage* const images[] = {&pictures.reference, &pictures.test};
@@ -225,16 +233,16 @@ void compareFiles(const FlipRequest& request, FlipPair& result) {
   requireFlipMemory(request, result.files);
   Pictures pictures = readPictures(request, result.files);
   requireComparable(pictures.reference, pictures.test, request.image);
-  result.width = pictures.reference.color.width;
-  result.height = pictures.reference.color.height;
+  result.width = pictures.reference.width();
+  result.height = pictures.reference.height();
   describe(pictures, result);
   checkFinite(request, pictures, result);
   chooseRange(request, pictures, result);
   noteUnusedOptions(request, result);
-  const auto isZero = [](float v) { return v == 0; };
-  result.identical = pictures.reference.color == pictures.test.color && pictures.reference.alpha == pictures.test.alpha;
-  result.black =
-      result.identical && std::all_of(pictures.test.color.pixels.begin(), pictures.test.color.pixels.end(), isZero);
+  const auto isZero = [](const auto& pixels) { return std::ranges::all_of(pixels, [](auto v) { return v == 0; }); };
+  result.identical = pictures.reference.bytes == pictures.test.bytes &&
+                     pictures.reference.color == pictures.test.color && pictures.reference.alpha == pictures.test.alpha;
+  result.black = result.identical && isZero(pictures.test.bytes.pixels) && isZero(pictures.test.color.pixels);
   result.invisible = pictures.reference.invisible && pictures.test.invisible;
   result.partial = isPartial(pictures.reference, request.image) || isPartial(pictures.test, request.image);
 

@@ -139,8 +139,8 @@ void composite(PlainImage& image, const base::Image& alpha, bool associated, con
 
 std::string describeWindows(const PlainImage& image) {
   const base::ImageInfo& info = image.info;
-  return fmt::format("{}x{} at {:+}{:+} of a picture of {}x{} at {:+}{:+}", image.color.width, image.color.height,
-                     info.x, info.y, info.fullWidth, info.fullHeight, info.fullX, info.fullY);
+  return fmt::format("{}x{} at {:+}{:+} of a picture of {}x{} at {:+}{:+}", image.width(), image.height(), info.x,
+                     info.y, info.fullWidth, info.fullHeight, info.fullX, info.fullY);
 }
 
 bool windowsDiffer(const base::ImageInfo& a, const base::ImageInfo& b) {
@@ -188,14 +188,22 @@ void requireSameLayers(const PlainImage& reference, const PlainImage& test) {
 } // namespace
 
 PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOptions& options) {
-  base::ImageFile stored = base::readImageFile(file, options.limits);
+  base::StoredImage read = base::readStoredImage(file, options.limits);
+  base::ImageFile& stored = read.file;
+  const int channels = read.bytes.empty() ? stored.pixels.channels : read.bytes.channels;
   PlainImage image;
   image.file = file.string();
   image.integer = stored.info.integer;
   image.bits = stored.info.bits;
   image.info = stored.info;
   chooseColorSpace(image, stored.info, options.colorSpace);
-  const Layout layout = findChannels(image, stored.info, stored.pixels.channels);
+  const Layout layout = findChannels(image, stored.info, channels);
+  const bool isPlainRgb = channels == 3 && image.colorChannels == 3;
+  const bool isShown = image.colorSpace == "srgb" || image.colorSpace == "raw";
+  if (options.keepBytes && isPlainRgb && isShown)
+    image.bytes = std::move(read.bytes);
+  else if (!read.bytes.empty())
+    stored.pixels = base::toFloats(read.bytes), read.bytes = {};
   if (!layout.further.empty()) image.further = pickChannels(stored.pixels, layout.further);
   if (!image.furtherNames.empty())
     image.notes.push_back(fmt::format("the channels {} {}", listChannels(image),
@@ -205,11 +213,11 @@ PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOpt
   if (image.info.orientation != 1)
     image.notes.push_back(
         fmt::format("is compared as stored; its orientation ({}) is not applied", image.info.orientation));
-  image.encoded = image.colorSpace == "srgb" || image.colorSpace == "raw";
+  image.encoded = isShown;
+  if (!image.bytes.empty()) return image;
   // The common case is not copied: a picture of 4K is 100 MB.
-  image.color = stored.pixels.channels == 3 && image.colorChannels == 3
-                    ? std::move(stored.pixels)
-                    : pickChannels(stored.pixels, {layout.color.begin(), layout.color.end()});
+  image.color =
+      isPlainRgb ? std::move(stored.pixels) : pickChannels(stored.pixels, {layout.color.begin(), layout.color.end()});
   if (!image.encoded && image.colorSpace != "linear") image.color = base::toLinearRec709(image.color, image.colorSpace);
   if (!image.hasAlpha || options.alpha == AlphaMode::ignore) return image;
   base::Image alpha = pickChannels(stored.pixels, {layout.alpha});
@@ -218,6 +226,12 @@ PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOpt
   else
     composite(image, alpha, stored.info.alphaAssociated, options.background);
   return image;
+}
+
+void spreadBytes(PlainImage& image) {
+  if (image.bytes.empty()) return;
+  image.color = base::toFloats(image.bytes);
+  image.bytes = {};
 }
 
 base::Image toDisplay(const PlainImage& image) {
@@ -240,9 +254,9 @@ void requireComparable(const PlainImage& reference, const PlainImage& test, cons
   const auto refuse = [&](const std::string& what, const std::string& reason) {
     throw base::Error(base::ExitCode::notComparable, test.file, what, reason);
   };
-  if (reference.color.width != test.color.width || reference.color.height != test.color.height)
-    refuse(fmt::format("{}x{}", test.color.width, test.color.height),
-           fmt::format("the reference is {}x{}", reference.color.width, reference.color.height));
+  if (reference.width() != test.width() || reference.height() != test.height())
+    refuse(fmt::format("{}x{}", test.width(), test.height()),
+           fmt::format("the reference is {}x{}", reference.width(), reference.height()));
   if (windowsDiffer(reference.info, test.info))
     refuse(describeWindows(test), "the reference is " + describeWindows(reference));
   if (reference.info.orientation != test.info.orientation)

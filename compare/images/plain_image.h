@@ -28,11 +28,13 @@ struct PlainImageOptions {
   std::array<float, 3> background{}; // linear Rec.709 (with "raw": stored values)
   base::ImageLimits limits{};        // of each file; of maxBytes, what comparing the pair takes
   bool ignoreLayers = false;         // what a file holds beyond the colour and alpha of its first image may differ
+  bool keepBytes = false;            // PlainImage::bytes may be filled
 };
 
 struct PlainImage {
   std::string file;
   base::Image color;      // RGB; display-encoded sRGB where `encoded`, else linear Rec.709; not checked for NaN
+  base::Image8 bytes;     // where asked for, RGB of 8 bit that is shown as it is stored; `color` is empty then
   base::Image alpha;      // 1 channel; only with AlphaMode::channel, and where the file has one
   bool encoded = false;   // what `color` holds
   bool integer = false;   // how the file stores it
@@ -46,6 +48,9 @@ struct PlainImage {
   std::string colorSpace;                // "srgb", "linear", ...: what was taken
   std::string colorReason;               // "declared on the command line", "assumed of 8-bit integers"
   std::vector<std::string> notes;        // what was left out or taken for something else
+
+  int width() const { return bytes.empty() ? color.width : bytes.width; }
+  int height() const { return bytes.empty() ? color.height : bytes.height; }
 };
 
 // Colour that is associated with alpha (OpenEXR, some TIFF) is composited as C + (1-a) B, else as a C + (1-a) B
@@ -54,6 +59,9 @@ struct PlainImage {
 // primaries of no known colour space; notComparable for channels that are neither grey nor RGB; usage for an unknown
 // colour space.
 PlainImage readPlainImage(const std::filesystem::path& file, const PlainImageOptions& options);
+
+// Moves PlainImage::bytes, where there are any, into `color`.
+void spreadBytes(PlainImage& image);
 
 // Display-encoded sRGB in [0,1] / linear Rec.709 of a picture; a copy where it is that already.
 base::Image toDisplay(const PlainImage& image);

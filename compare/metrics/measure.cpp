@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "compare/metrics/mean_rows.h"
 #include "compare/metrics/measure_plan.h"
 #include "compare/metrics/metric_parts.h"
 
@@ -34,6 +35,44 @@ void forRegions(const std::vector<RegionRuns>& regions, std::vector<Figures>& fi
   });
 }
 
+void addValues(const MeasurePlan& plan, const std::vector<double>& values, Figures& figures) {
+  for (std::size_t k = 0; k < values.size(); ++k) figures.values.push_back({plan.statistics[k].name, values[k]});
+}
+
+// The light and all metrics that are means and whose maps nobody wants, in one pass over the pictures.
+class Means {
+public:
+  Means(const MetricInput& input, std::span<const RegionRuns> regions, std::span<const MeasurePlan> plans)
+      : m_plans(plans), m_metrics(plans.size()), m_starts(plans.size()) {
+    std::vector<const MeanRows*> rows{&lightRows()};
+    for (std::size_t p = 0; p < plans.size(); ++p) {
+      if (plans[p].keepMap) continue;
+      m_metrics[p] = findMeanMetric(plans[p].metric->name);
+      if (!m_metrics[p].rows) continue;
+      if (std::ranges::find(rows, m_metrics[p].rows) == rows.end()) rows.push_back(m_metrics[p].rows);
+      for (const MeanRows* each : rows) {
+        if (each == m_metrics[p].rows) break;
+        m_starts[p] += each->worst.size();
+      }
+    }
+    m_means = meansOf(rows, input, regions);
+  }
+
+  const std::vector<std::vector<double>>& all() const { return m_means; }
+  bool holds(std::size_t plan) const { return m_metrics[plan].rows != nullptr; }
+  std::vector<double> pool(std::size_t plan, std::size_t region) const {
+    const std::span<const double> means(m_means[region]);
+    return m_metrics[plan].pool(means.subspan(m_starts[plan], m_metrics[plan].rows->worst.size()),
+                                m_plans[plan].statistics);
+  }
+
+private:
+  std::span<const MeasurePlan> m_plans;
+  std::vector<MeanMetric> m_metrics;
+  std::vector<std::size_t> m_starts; // of the metric's means among all
+  std::vector<std::vector<double>> m_means;
+};
+
 } // namespace
 
 const base::Image* Measurement::findMap(std::string_view metric, std::size_t plane) const {
@@ -53,11 +92,19 @@ Measurement measureRegions(const ImagePair& pair, const std::vector<base::PixelL
 
   Measurement out;
   out.regions.resize(lists.size());
-  fillLight(input, box, regions, out.regions);
+  const Means means(input, regions, plans);
+  fillLight(input, regions, means.all(), out.regions);
   MetricMaps maps;
   std::string mapsName;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const MeasurePlan& plan = plans[i];
+    if (means.holds(i)) {
+      forRegions(regions, out.regions, [&](const RegionRuns& region, Figures& figures) {
+        const auto r = static_cast<std::size_t>(&region - regions.data());
+        addValues(plan, means.pool(i, r), figures);
+      });
+      continue;
+    }
     if (mapsName.empty() || mapsName != plan.metric->mapsName) {
       maps = {}; // before the next ones are made
       maps = plan.metric->makeMaps(input, request.options);
@@ -65,8 +112,7 @@ Measurement measureRegions(const ImagePair& pair, const std::vector<base::PixelL
     mapsName = plan.metric->mapsName;
     if (!plan.statistics.empty())
       forRegions(regions, out.regions, [&](const RegionRuns& region, Figures& figures) {
-        const std::vector<double> values = plan.metric->pool(maps, region, plan.statistics);
-        for (std::size_t k = 0; k < values.size(); ++k) figures.values.push_back({plan.statistics[k].name, values[k]});
+        addValues(plan, plan.metric->pool(maps, region, plan.statistics), figures);
       });
     if (!maps.note.empty()) out.notes.push_back(plan.metric->name + ": " + maps.note);
     if (!plan.keepMap) continue;

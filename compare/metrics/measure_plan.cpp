@@ -28,35 +28,20 @@ std::uint64_t countWithin(const RegionRuns& region, const std::vector<std::uint3
   return count;
 }
 
-// 1 where every value of both displayed images is `clipped`; 0 outside the box.
-template <typename Clipped> base::Image clippedMap(const MetricInput& input, const Rect& box, const Clipped& clipped) {
-  base::Image map(input.width(), input.height(), 1);
-  forRows(box, [&](int y) {
-    std::vector<float> rows[2];
-    for (int i = 0; i < 2; ++i) {
-      rows[i].resize(3 * static_cast<std::size_t>(box.width));
-      readDisplayRow(i == 0 ? input.reference : input.test, box.x, y, box.width, rows[i].data());
-    }
-    float* out = map.at(box.x, y);
-    for (std::size_t x = 0; x < static_cast<std::size_t>(box.width); ++x) {
-      bool isClipped = true;
-      for (std::size_t c = 3 * x; c < 3 * x + 3; ++c)
-        for (const std::vector<float>& values : rows) isClipped = isClipped && clipped(values[c]);
-      out[x] = isClipped ? 1.f : 0.f;
-    }
-  });
-  return map;
-}
+enum Light { kBlack, kWhite, kReferenceLuma, kTestLuma, kReferenceLuminance, kTestLuminance };
 
-// Luminance of linear light, as the images have it; 0 outside the box.
-base::Image lightMap(const PixelView& view, const base::Image* linear, const Rect& box) {
-  base::Image map(view.width, view.height, 1);
-  forRows(box, [&](int y) {
-    std::vector<float> rgb(3 * static_cast<std::size_t>(box.width));
-    readLinearRow(view, linear, box.x, y, box.width, rgb.data());
-    lumaRow(rgb.data(), box.width, map.at(box.x, y));
-  });
-  return map;
+void lightRow(RowSource& row, float* const* out) {
+  const float *reference = row.displayed(0), *test = row.displayed(1);
+  float *black = out[kBlack], *white = out[kWhite];
+  for (int x = 0, n = row.count(); x < n; ++x) { // 1 where every value of both images is clipped
+    const float *a = reference + 3 * x, *b = test + 3 * x;
+    black[x] = std::max({a[0], a[1], a[2], b[0], b[1], b[2]}) <= 0 ? 1.f : 0.f;
+    white[x] = std::min({a[0], a[1], a[2], b[0], b[1], b[2]}) >= 1 ? 1.f : 0.f;
+  }
+  for (int i = 0; i < 2; ++i) {
+    lumaRow(row.displayed(i), row.count(), out[kReferenceLuma + i]);
+    lumaRow(row.light(i), row.count(), out[kReferenceLuminance + i]);
+  }
 }
 
 } // namespace
@@ -90,29 +75,25 @@ std::vector<MeasurePlan> makeMeasurePlans(const MeasureRequest& request, bool ha
   return plans;
 }
 
-void fillLight(const MetricInput& input, const Rect& box, std::span<const RegionRuns> regions,
-               std::span<Figures> figures) {
-  const auto forRegions = [&](const auto& body) {
-    base::parallelFor(regions.size(), 1, [&](std::size_t i, std::size_t) {
-      if (regions[i].pixels > 0) body(regions[i], figures[i]);
-    });
-  };
-  forRegions([&](const RegionRuns& region, Figures& own) {
-    own.pixels = region.pixels;
-    own.nonFinite = countWithin(region, input.nonFinite);
+const MeanRows& lightRows() {
+  static const MeanRows kRows{{0, 0, 0, 0, 0, 0}, lightRow};
+  return kRows;
+}
+
+void fillLight(const MetricInput& input, std::span<const RegionRuns> regions,
+               std::span<const std::vector<double>> means, std::span<Figures> figures) {
+  base::parallelFor(regions.size(), 1, [&](std::size_t i, std::size_t) {
+    if (regions[i].pixels == 0) return;
+    Figures& own = figures[i];
+    own.pixels = regions[i].pixels;
+    own.nonFinite = countWithin(regions[i], input.nonFinite);
+    own.clippedBlack = std::min(means[i][kBlack], 1.); // rounding
+    own.clippedWhite = std::min(means[i][kWhite], 1.);
+    own.referenceLuma = means[i][kReferenceLuma];
+    own.testLuma = means[i][kTestLuma];
+    own.referenceLuminance = means[i][kReferenceLuminance];
+    own.testLuminance = means[i][kTestLuminance];
   });
-  const auto fill = [&](double Figures::*figure, base::Image map) {
-    setPixels(map, input.nonFinite, 0);
-    forRegions([&](const RegionRuns& region, Figures& own) { own.*figure = meanOf(map, region); });
-  };
-  fill(&Figures::clippedBlack, clippedMap(input, box, [](float v) { return v <= 0; }));
-  fill(&Figures::clippedWhite, clippedMap(input, box, [](float v) { return v >= 1; }));
-  fill(&Figures::referenceLuma, lumaMap(input.reference, box));
-  fill(&Figures::testLuma, lumaMap(input.test, box));
-  fill(&Figures::referenceLuminance, lightMap(input.reference, input.referenceLinear, box));
-  fill(&Figures::testLuminance, lightMap(input.test, input.testLinear, box));
-  for (Figures& own : figures)
-    for (double* share : {&own.clippedBlack, &own.clippedWhite}) *share = std::min(*share, 1.); // rounding
 }
 
 } // namespace parity::compare

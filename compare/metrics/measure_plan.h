@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "compare/metrics/mean_rows.h"
 #include "compare/metrics/measure.h"
 #include "compare/metrics/metric.h"
 #include "compare/pooling/figures.h"
@@ -20,9 +21,11 @@ struct MeasurePlan {
 // In the registry's order. Throws Error as measureRegions does.
 std::vector<MeasurePlan> makeMeasurePlans(const MeasureRequest& request, bool hasLinear);
 
-// Fills all of `figures`, one for each region, but the values. One map of the pair at a time: together they would take
-// as much as both pictures. Regions without pixels are left as they are.
-void fillLight(const MetricInput& input, const Rect& box, std::span<const RegionRuns> regions,
-               std::span<Figures> figures);
+// The maps whose means fillLight() needs.
+const MeanRows& lightRows();
+// Fills all of `figures`, one for each region, but the values. means: meansOf() of lightRows() first. Regions without
+// pixels are left as they are.
+void fillLight(const MetricInput& input, std::span<const RegionRuns> regions,
+               std::span<const std::vector<double>> means, std::span<Figures> figures);
 
 } // namespace parity::compare

@@ -122,7 +122,9 @@ SwapMeasurement measureSwaps(const SwapReference& reference, std::span<const Swa
     Figures& figures = out.figures[s];
     MetricOptions options = request.options;
     options.box.reset();
-    fillLight(pair.input(), pair.box(), {&pair.region(), 1}, {&figures, 1});
+    const MeanRows* const light = &lightRows();
+    const std::span<const RegionRuns> region(&pair.region(), 1);
+    fillLight(pair.input(), region, meansOf({&light, 1}, pair.input(), region), {&figures, 1});
     MetricMaps maps;
     std::string mapsName;
     for (std::size_t p = 0; p < plans.size(); ++p) {

@@ -1,8 +1,10 @@
 // Signed bias: how much lighter and which way tinted the test is on average. Errors of single pixels cancel.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "compare/metrics/color_rows.h"
+#include "compare/metrics/mean_rows.h"
 #include "compare/metrics/metric_makers.h"
 #include "compare/metrics/metric_parts.h"
 #include "compare/pooling/pooling.h"
@@ -19,32 +21,29 @@ constexpr double kBlack = 1. / 8192;
 // it away from 0, on the side where it is.
 constexpr double kWorstEv = 13, kWorstLab = 100;
 
+void biasRow(RowSource& row, float* const* out) {
+  const int n = row.count();
+  float* lab[2] = {row.room(0), row.room(1)};
+  for (int i = 0; i < 2; ++i) {
+    labRow(row.decoded(i), n, {lab[i], lab[i] + n, lab[i] + 2 * n});
+    lumaRow(row.light(i), n, out[kReferenceLight + i]);
+  }
+  for (int k = 0; k < 3; ++k) {
+    const float *reference = lab[0] + k * n, *test = lab[1] + k * n;
+    float* difference = out[kDeltaL + k];
+    for (int i = 0; i < n; ++i) difference[i] = test[i] - reference[i];
+  }
+  std::fill_n(out[kUnusable], n, 0.f);
+}
+
+// Pixels that are not finite are no part of the means.
+const MeanRows& biasRows() {
+  static const MeanRows kRows{{0, 0, 0, 0, 0, 1}, biasRow};
+  return kRows;
+}
+
 MetricMaps biasMaps(const MetricInput& input, const MetricOptions& options) {
-  const Rect box = boxOf(input, options);
-  MetricMaps maps;
-  for (int plane = 0; plane < (input.nonFinite.empty() ? kUnusable : kPlanes); ++plane)
-    maps.planes.emplace_back(input.width(), input.height(), 1);
-  const int n = box.width;
-  forRows(box, [&](int y) {
-    std::vector<float> rows(9 * static_cast<std::size_t>(n));
-    float *rgb = rows.data(), *lab[2] = {rgb + 3 * n, rgb + 6 * n};
-    for (int i = 0; i < 2; ++i) {
-      const PixelView& view = i == 0 ? input.reference : input.test;
-      const base::Image* linear = i == 0 ? input.referenceLinear : input.testLinear;
-      readLinearRow(view, nullptr, box.x, y, n, rgb);
-      labRow(rgb, n, {lab[i], lab[i] + n, lab[i] + 2 * n});
-      if (linear) readLinearRow(view, linear, box.x, y, n, rgb);
-      lumaRow(rgb, n, maps.planes[static_cast<std::size_t>(kReferenceLight + i)].at(box.x, y));
-    }
-    for (int k = 0; k < 3; ++k) {
-      float* out = maps.planes[static_cast<std::size_t>(kDeltaL + k)].at(box.x, y);
-      for (int i = 0; i < n; ++i) out[i] = lab[1][k * n + i] - lab[0][k * n + i];
-    }
-  });
-  // Such pixels are no part of the means.
-  for (base::Image& plane : maps.planes) setPixels(plane, input.nonFinite, 0);
-  if (!input.nonFinite.empty()) setPixels(maps.planes[kUnusable], input.nonFinite, 1);
-  return maps;
+  return {mapsOf(biasRows(), input, boxOf(input, options)), ""};
 }
 
 // `bias` over the usable share of a region, `worst` over the rest.
@@ -52,10 +51,9 @@ double withUnusable(double bias, double worst, double unusable) {
   return unusable > 0 ? (1 - unusable) * bias + unusable * std::copysign(worst, bias) : bias;
 }
 
-std::vector<double> pool(const MetricMaps& maps, const RegionRuns& region, std::span<const Statistic> wanted) {
-  const double unusable = maps.planes.size() > kUnusable ? meanOf(maps.planes[kUnusable], region) : 0;
-  const double usable = 1 - unusable;
-  const auto mean = [&](Plane plane) { return usable > 0 ? meanOf(maps.planes[plane], region) / usable : 0; };
+std::vector<double> poolMeans(std::span<const double> means, std::span<const Statistic> wanted) {
+  const double unusable = means[kUnusable], usable = 1 - unusable;
+  const auto mean = [&](Plane plane) { return usable > 0 ? means[plane] / usable : 0; };
   std::vector<double> out;
   for (const Statistic& statistic : wanted) {
     const std::string_view part = partOf(statistic);
@@ -69,7 +67,15 @@ std::vector<double> pool(const MetricMaps& maps, const RegionRuns& region, std::
   return out;
 }
 
+std::vector<double> pool(const MetricMaps& maps, const RegionRuns& region, std::span<const Statistic> wanted) {
+  std::vector<double> means;
+  for (const base::Image& map : maps.planes) means.push_back(meanOf(map, region));
+  return poolMeans(means, wanted);
+}
+
 } // namespace
+
+MeanMetric biasOfMeans() { return {&biasRows(), poolMeans}; }
 
 Metric makeBiasMetric() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -2,11 +2,18 @@
 #include <limits>
 
 #include "compare/metrics/error_maps.h"
+#include "compare/metrics/mean_rows.h"
 #include "compare/metrics/metric_makers.h"
 #include "compare/metrics/metrics.h"
 #include "compare/pooling/pooling.h"
 
 namespace parity::compare {
+
+MeanMetric psnrOfMeans() {
+  return {&squaredErrorRows(), [](std::span<const double> means, std::span<const Statistic> wanted) {
+            return std::vector<double>(wanted.size(), psnrOfMse(means[0]));
+          }};
+}
 
 Metric makePsnrMetric() {
   Metric metric;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -12,13 +11,13 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "compare/metrics/metrics.h"
+#include "compare/pooling/pieces.h"
 #include "compare/pooling/stretch.h"
+#include "compare/pooling/value_counts.h"
 #include "compare/pooling/value_histogram.h"
 
 namespace parity::compare {
 namespace {
-
-constexpr std::size_t kPiecePixels = 65536; // about; one task, with a histogram of its own
 
 using Buckets = std::array<std::uint64_t, 100>;
 
@@ -38,13 +37,20 @@ struct Task {
   bool sumOnly = false;
 };
 
+// What the weights of values are.
+enum class Weights { one, values, any };
+
 // A region's values cut into tasks, the same whatever the number of threads.
 class Pieces {
 public:
-  Pieces(const base::Image& plane, const RegionRuns& region) {
+  Pieces(const base::Image& plane, const RegionRuns& region)
+      : m_weights(region.weights.empty() ? Weights::one : Weights::any) {
     for (std::size_t run = 0; run < region.runs.size();) run = addPiece(plane, region, run);
   }
-  Pieces(std::span<const float> values, const float* weights) {
+  Pieces(std::span<const float> values, const float* weights)
+      : m_weights(!weights                   ? Weights::one
+                  : weights == values.data() ? Weights::values
+                                             : Weights::any) {
     for (std::size_t begin = 0; begin < values.size(); begin += kPiecePixels) {
       const std::size_t count = std::min(kPiecePixels, values.size() - begin);
       m_stretches.push_back({values.data() + begin, weights ? weights + begin : nullptr, count});
@@ -52,6 +58,7 @@ public:
     }
   }
   std::size_t size() const { return m_ends.size(); }
+  Weights weights() const { return m_weights; }
   std::span<const Stretch> operator[](std::size_t i) const {
     const std::size_t begin = i == 0 ? 0 : m_ends[i - 1];
     return {m_stretches.data() + begin, m_ends[i] - begin};
@@ -59,15 +66,15 @@ public:
 
 private:
   std::size_t addPiece(const base::Image& plane, const RegionRuns& region, std::size_t run) {
-    for (std::size_t pixels = 0; run < region.runs.size() && pixels < kPiecePixels; ++run) {
+    for (const std::size_t end = endOfPiece(region, run); run < end; ++run) {
       const Run& r = region.runs[run];
       m_stretches.push_back({plane.pixels.data() + r.first, region.weightsOf(r), r.count});
-      pixels += r.count;
     }
     m_ends.push_back(m_stretches.size());
     return run;
   }
 
+  Weights m_weights;
   std::vector<Stretch> m_stretches;
   std::vector<std::size_t> m_ends;
 };
@@ -146,22 +153,16 @@ std::vector<std::vector<WeightedValue>> valuesOfBins(const Pieces& pieces, const
   return all;
 }
 
-// The value that all values of weight > 0 in the bin have; none where they differ.
-std::optional<float> onlyValueOf(const Pieces& pieces, std::size_t bin) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  std::vector<std::pair<float, float>> extremes(pieces.size(), {kInfinity, -kInfinity});
-  base::parallelFor(pieces.size(), 1, [&](std::size_t piece, std::size_t) {
-    auto& [least, most] = extremes[piece];
-    for (const Stretch& s : pieces[piece])
-      for (std::size_t i = 0; i < s.count; ++i)
-        if (static_cast<std::size_t>(ValueBins::indexOf(s.values[i])) == bin && (!s.weights || s.weights[i] > 0)) {
-          least = std::min(least, s.values[i]);
-          most = std::max(most, s.values[i]);
-        }
+// The counts of the values in the bins. Each thread's table has .5 MB for a bin, so there are a few at most.
+ValueCounts countValues(const Pieces& pieces, const std::vector<std::size_t>& bins) {
+  const std::size_t tables = std::min({pieces.size(), static_cast<std::size_t>(base::threadCount()), std::size_t{8}});
+  std::vector<ValueCounts> counts(tables, ValueCounts(bins));
+  base::parallelFor(tables, 1, [&](std::size_t t, std::size_t) {
+    for (std::size_t piece = t; piece < pieces.size(); piece += tables)
+      for (const Stretch& s : pieces[piece]) counts[t].add({s.values, s.count});
   });
-  float least = kInfinity, most = -kInfinity;
-  for (const auto& [low, high] : extremes) least = std::min(least, low), most = std::max(most, high);
-  return least == most ? std::optional(least) : std::nullopt;
+  for (std::size_t t = 1; t < tables; ++t) counts[0].add(counts[t]);
+  return std::move(counts[0]);
 }
 
 std::vector<double> percentilesOf(const Pieces& pieces, const Sums& sums, std::span<const double> fractions) {
@@ -177,25 +178,30 @@ std::vector<double> percentilesOf(const Pieces& pieces, const Sums& sums, std::s
   }
   std::sort(bins.begin(), bins.end());
   bins.erase(std::unique(bins.begin(), bins.end()), bins.end());
-  // Where most pixels are equal, a list of them would take more than the map does.
-  constexpr double kLargeShare = 1. / 16;
-  std::map<std::size_t, float> known;
-  std::erase_if(bins, [&](std::size_t bin) {
-    if (sums.histogram[bin] <= kLargeShare * total) return false;
-    const std::optional<float> value = onlyValueOf(pieces, bin);
-    if (value) known[bin] = *value;
-    return value.has_value();
-  });
-  std::vector<std::vector<WeightedValue>> values = valuesOfBins(pieces, bins);
+  // Of a bin that holds many, a list would take more than the map does.
+  constexpr double kLargeShare = 1. / 64;
+  std::vector<std::size_t> large;
+  if (pieces.weights() != Weights::any)
+    std::erase_if(bins, [&](std::size_t bin) {
+      const bool isLarge = ValueCounts::canCount(bin) && sums.histogram[bin] > kLargeShare * total;
+      if (isLarge) large.push_back(bin);
+      return isLarge;
+    });
+  std::optional<ValueCounts> counts;
+  if (!large.empty()) counts = countValues(pieces, large);
+  std::vector<std::vector<WeightedValue>> values;
+  if (!bins.empty()) values = valuesOfBins(pieces, bins);
   std::vector<double> out;
   for (std::size_t i = 0; i < fractions.size(); ++i) {
-    if (const auto only = known.find(found[i].bin); only != known.end()) {
-      out.push_back(static_cast<double>(only->second));
+    const FoundBin& at = found[i];
+    if (std::ranges::binary_search(large, at.bin)) {
+      out.push_back(static_cast<double>(
+          counts->select(at.bin, pieces.weights() == Weights::values, at.before, fractions[i] * total)));
       continue;
     }
-    const auto list = std::lower_bound(bins.begin(), bins.end(), found[i].bin) - bins.begin();
-    out.push_back(static_cast<double>(
-        selectValue(values[static_cast<std::size_t>(list)], found[i].before, fractions[i] * total)));
+    const auto list = std::lower_bound(bins.begin(), bins.end(), at.bin) - bins.begin();
+    out.push_back(
+        static_cast<double>(selectValue(values[static_cast<std::size_t>(list)], at.before, fractions[i] * total)));
   }
   return out;
 }

@@ -33,6 +33,9 @@ base::PixelList wholeImage(int width, int height) {
 }
 
 Rect boundsOf(std::span<const base::PixelList* const> lists, int width, int height, int margin) {
+  const std::size_t wholeSize = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const auto isWhole = [&](const base::PixelList* list) { return list->pixels.size() == wholeSize; };
+  if (wholeSize > 0 && std::ranges::any_of(lists, isWhole)) return {0, 0, width, height};
   int x0 = width, y0 = height, x1 = 0, y1 = 0;
   for (const base::PixelList* list : lists)
     for (const std::uint32_t pixel : list->pixels) {

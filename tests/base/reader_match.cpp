@@ -14,7 +14,9 @@
 #include "base/image/image_module.h"
 #include "base/image/png_check.h"
 #include "base/image/png_read.h"
+#include "base/image/tiff_read.h"
 #include "base/module_file.h"
+#include "temp_folder.h"
 
 namespace parity::base {
 
@@ -107,6 +109,40 @@ bool expectAsLibrary(const std::filesystem::path& file, std::span<const std::byt
       for (int channels = 1; channels <= 4; ++channels)
         expectSame(toImage8(*samples, channels), library().read8(source, channels), "readImage8()");
     }
+  } catch (const Error& error) {
+    ADD_FAILURE() << "read by us, but not by the library: " << error.what();
+  }
+  return ours.has_value();
+}
+
+bool expectTiffAsLibrary(std::span<const std::byte> bytes, OwnReader own) {
+  const TempFolder folder;
+  const std::filesystem::path file = folder.path() / "a.tif";
+  writeBytes(file, bytes);
+  const std::optional<TiffPicture> ours = readTiff(file, {}, sizeof(float));
+  const std::optional<ImageShape> shape = readTiffShape(file, {});
+  if (own == OwnReader::reads) {
+    EXPECT_TRUE(ours.has_value());
+  }
+  if (!ours && !shape) return false;
+  const std::string name = file.string();
+  const ImageSource source{.name = name, .format = "tiff"};
+  try {
+    if (shape) {
+      const ImageShape theirs = library().readShape(source);
+      EXPECT_EQ(std::tie(shape->width, shape->height, shape->channels, shape->integer),
+                std::tie(theirs.width, theirs.height, theirs.channels, theirs.integer));
+    }
+    if (!ours) return false;
+    const ImageFile theirs = library().read(source);
+    expectSame(ours->info, theirs.info);
+    expectSame(toImage(TiffPicture(*ours)), theirs.pixels, "readImageFile()");
+    EXPECT_EQ(toIntegers(*ours).has_value(), ours->info.integer);
+    if (const auto integers = toIntegers(*ours))
+      expectSame(*integers, library().readIntegers(source), "readIntegers()");
+    for (int channels = 1; channels <= 4; ++channels)
+      if (const auto bytes8 = toImage8(TiffPicture(*ours), channels))
+        expectSame(*bytes8, library().read8(source, channels), "readImage8()");
   } catch (const Error& error) {
     ADD_FAILURE() << "read by us, but not by the library: " << error.what();
   }

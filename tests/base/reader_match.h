@@ -18,4 +18,7 @@ enum class OwnReader {
 bool expectAsLibrary(const std::filesystem::path& file, std::span<const std::byte> bytes,
                      OwnReader own = OwnReader::reads);
 
+// The same of TIFF.
+bool expectTiffAsLibrary(std::span<const std::byte> bytes, OwnReader own = OwnReader::reads);
+
 } // namespace parity::base
