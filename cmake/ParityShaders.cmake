@@ -13,9 +13,9 @@ endfunction()
 # build error.
 #
 # Functions are inlined, and local variables become values: a driver makes its pipelines in a third less time. No pass of
-# these reorders or merges arithmetic, so results keep their bits. Resources and constants stay although nothing reads them: a
-# preset folder may.
-set(PARITY_SPIRV_PASSES --preserve-bindings --preserve-spec-constants --merge-return --eliminate-dead-functions
+# these reorders or merges arithmetic, so results keep their bits. The header also holds the module
+# as it was written, k<CamelName>Written: the program compiles preset folders in that way, and compares them with it.
+set(PARITY_SPIRV_PASSES --merge-return --eliminate-dead-functions
   --inline-entry-points-exhaustive --eliminate-dead-functions
   --eliminate-local-single-block --eliminate-local-single-store --ssa-rewrite --eliminate-dead-code-aggressive)
 
@@ -54,7 +54,7 @@ function(parity_shaders target)
     add_custom_command(
       OUTPUT ${header}
       COMMAND ${SPIRV_OPT} --target-env=vulkan1.2 ${PARITY_SPIRV_PASSES} ${header}.spv -o ${header}.inlined.spv
-      COMMAND ${CMAKE_COMMAND} -D IN=${header}.inlined.spv -D OUT=${header} -D SYMBOL=${symbol} -P ${CMAKE_SOURCE_DIR}/cmake/EmbedSpirv.cmake
+      COMMAND ${CMAKE_COMMAND} -D WRITTEN=${header}.spv -D INLINED=${header}.inlined.spv -D OUT=${header} -D SYMBOL=${symbol} -P ${CMAKE_SOURCE_DIR}/cmake/EmbedSpirv.cmake
       DEPENDS ${header}.spv ${CMAKE_SOURCE_DIR}/cmake/EmbedSpirv.cmake
       COMMENT "Embedding ${folder}/${file}"
       VERBATIM)

@@ -14,8 +14,9 @@ namespace {
 
 const paths::ProgramMacros kPlain, kLobes = {"PARITY_LOBES"};
 
-gpu::Spirv builtIn(const paths::ProgramMacros& macros) {
-  return macros.empty() ? gpu::Spirv(kHighendComp) : gpu::Spirv(kHighendLobesComp);
+paths::BuiltInProgram builtIn(const paths::ProgramMacros& macros) {
+  return macros.empty() ? paths::BuiltInProgram{kHighendComp, kHighendCompWritten}
+                        : paths::BuiltInProgram{kHighendLobesComp, kHighendLobesCompWritten};
 }
 
 paths::PresetHost makeHost() {

@@ -28,12 +28,17 @@ paths::ProgramMacros macrosOf(const ProgramKind& kind) {
   return macros;
 }
 
-gpu::Spirv builtIn(const paths::ProgramMacros& macros) {
+paths::BuiltInProgram builtIn(const paths::ProgramMacros& macros) {
   const auto has = [&](const char* macro) { return std::ranges::count(macros, macro) > 0; };
   const bool half = has(kFp16);
-  if (has(kWide)) return half ? gpu::Spirv(kMobileWideFp16Comp) : gpu::Spirv(kMobileWideFp32Comp);
-  if (has(kLobes)) return half ? gpu::Spirv(kMobileLobesFp16Comp) : gpu::Spirv(kMobileLobesFp32Comp);
-  return half ? gpu::Spirv(kMobileFp16Comp) : gpu::Spirv(kMobileFp32Comp);
+  if (has(kWide))
+    return half ? paths::BuiltInProgram{kMobileWideFp16Comp, kMobileWideFp16CompWritten}
+                : paths::BuiltInProgram{kMobileWideFp32Comp, kMobileWideFp32CompWritten};
+  if (has(kLobes))
+    return half ? paths::BuiltInProgram{kMobileLobesFp16Comp, kMobileLobesFp16CompWritten}
+                : paths::BuiltInProgram{kMobileLobesFp32Comp, kMobileLobesFp32CompWritten};
+  return half ? paths::BuiltInProgram{kMobileFp16Comp, kMobileFp16CompWritten}
+              : paths::BuiltInProgram{kMobileFp32Comp, kMobileFp32CompWritten};
 }
 
 std::string_view declarations() {

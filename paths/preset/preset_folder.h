@@ -20,6 +20,11 @@ namespace parity::paths {
 // Macros that tell the programs of a path apart: "PARITY_FP16", "PARITY_LOBES".
 using ProgramMacros = std::vector<std::string>;
 
+// A path's program without a folder.
+struct BuiltInProgram {
+  gpu::Spirv spirv, written; // for the driver; before its functions were inlined, as a folder's program is
+};
+
 // What a path offers to preset folders.
 struct PresetHost {
   std::string path;                      // its name: "mobile"
@@ -32,7 +37,7 @@ struct PresetHost {
   std::vector<ProgramMacros> checked; // the programs that are compiled as soon as a folder is read
   std::vector<std::uint32_t> counted; // specialization constants by which every function is called
   ProgramMacros unfolded; // of the program whose knobs are data, so that none hides a loop; empty: there is none
-  std::function<gpu::Spirv(const ProgramMacros&)> builtIn; // the path's program without a folder
+  std::function<BuiltInProgram(const ProgramMacros&)> builtIn;
 };
 
 // Limits, so that a folder costs neither the machine nor its driver.

@@ -97,7 +97,7 @@ void PresetFolder::requireWithinLimits(const std::vector<std::uint32_t>& words, 
   const auto refuse = [&](const std::string& reason) { throw base::fileError(m_folder + "/preset.glsl", "", reason); };
   if (words.size() > kMaxPresetWords)
     refuse(fmt::format("makes a program of {} words of SPIR-V, expected at most {}", words.size(), kMaxPresetWords));
-  const gpu::Spirv builtIn = m_host.builtIn(macros);
+  const gpu::Spirv builtIn = m_host.builtIn(macros).written;
   const gpu::SpirvModule own(words), before(std::vector<std::uint32_t>(builtIn.begin(), builtIn.end()));
   std::multiset<Binding> known = bindingsOf(before);
   for (const auto& each : bindingsOf(own)) {
@@ -133,7 +133,7 @@ void PresetFolder::requireWithinLimits(const std::vector<std::uint32_t>& words, 
 }
 
 gpu::Spirv programOf(const PresetHost& host, const PresetFolder* folder, const ProgramMacros& macros) {
-  return folder && !folder->functions().empty() ? folder->program(macros) : host.builtIn(macros);
+  return folder && !folder->functions().empty() ? folder->program(macros) : host.builtIn(macros).spirv;
 }
 
 std::vector<std::uint32_t> compileProgram(const PresetHost& host, const PresetFolder* folder,

@@ -54,7 +54,8 @@ run report builtin:spheres --env builtin:white --prefilter-size 64 --prefilter-s
   --mobile-textures etc2 --no-cache -q -o out || status=$?
 [ "$status" -le 2 ] || fail "exit code $status"
 for file in report.json run.json junit.xml; do [ -s "out/$file" ] || fail "no $file"; done
-run flip "$(ls out/images/*.png | head -1)" "$(ls out/images/*.png | head -1)" >/dev/null # by the module of images
+run flip "$(ls out/images/*.png | head -1)" "$(ls out/images/*.png | head -1)" >/dev/null
+run render builtin:spheres --path mobile --size 32x32 --no-cache -q -o sphere.exr # by the module of images
 run budget check "$root/share/parity/budgets.example.toml" >/dev/null
 
 for library in libparity_draco parity_imageio parity_etc2; do
