@@ -93,7 +93,7 @@ private:
   }
 
   exr_const_context_t m_file;
-  exr_decode_pipeline_t m_pipeline = EXR_DECODE_PIPELINE_INITIALIZER;
+  exr_decode_pipeline_t m_pipeline{};
   bool m_isReady = false;
 };
 

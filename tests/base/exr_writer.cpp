@@ -44,7 +44,7 @@ void writeHeader(exr_context_t file, const ExrKind& kind) {
 // Every chunk has the samples from its own beginning on, so that no two are alike.
 void writeChunk(exr_context_t file, const ExrKind& kind, const exr_chunk_info_t& chunk,
                 const std::vector<std::uint32_t>& bits) {
-  exr_encode_pipeline_t pipeline = EXR_ENCODE_PIPELINE_INITIALIZER;
+  exr_encode_pipeline_t pipeline{};
   require(exr_encoding_initialize(file, 0, &chunk, &pipeline));
   const auto count = static_cast<std::size_t>(chunk.width) * static_cast<std::size_t>(chunk.height);
   std::vector<std::vector<std::byte>> planes;
