@@ -13,8 +13,8 @@ enum class OwnReader {
   mayRefuse // then the library is asked, so that nothing can differ
 };
 
-// Fails the test unless our reader of PNG, Radiance HDR or OpenEXR, by the first bytes, gives all that the library gives, bit for
-// bit, or refuses. True where it has read the file.
+// Fails the test unless our reader of PNG, Radiance HDR or OpenEXR, by the first bytes, gives all that the library
+// gives, bit for bit, or refuses. True where it has read the file.
 bool expectAsLibrary(const std::filesystem::path& file, std::span<const std::byte> bytes,
                      OwnReader own = OwnReader::reads);
 
