@@ -138,7 +138,7 @@ TEST_F(PresetTest, IsInSuitesAndPlansAndKnownByItsContent) {
   EXPECT_EQ(here["scenes"], workers["scenes"]);
 
   ASSERT_TRUE(exitedWith(0, runParity({"plan", "--suite", path("s.toml"), "-o", path("plan"), "--size", "32x32"})));
-  make("linear", std::string(kLinear) + "// another\n");
+  make("linear", kLinear + ("// " + path("") + "\n")); // which no earlier run of this test has cached
   const RunResult work = runParity({"work", path("plan")});
   EXPECT_NE(work.exitCode, 0);
   EXPECT_TRUE(contains(work.err, "linear: has changed since the run began")) << work.err;
