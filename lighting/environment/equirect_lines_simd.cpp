@@ -107,14 +107,12 @@ template <int count> HWY_INLINE void alongRay(const LineShape& shape, double ste
 
 void GatherMeridian(const LineShape& shape, double cosine, double weight, std::span<const CellLine> lines,
                     Gathered* gathered) {
-  assert(lines.size() == 1 || lines.size() == 2);
   if (lines.size() == 1) return alongMeridian<1>(shape, cosine, weight, lines.data(), gathered);
   alongMeridian<2>(shape, cosine, weight, lines.data(), gathered);
 }
 
 void GatherRay(const LineShape& shape, double stepX, double stepZ, double weight, std::span<const CellLine> lines,
                Gathered* gathered) {
-  assert(lines.size() == 2 || lines.size() == 4);
   if (lines.size() == 2) return alongRay<2>(shape, stepX, stepZ, weight, lines.data(), gathered);
   alongRay<4>(shape, stepX, stepZ, weight, lines.data(), gathered);
 }
@@ -122,6 +120,7 @@ void GatherRay(const LineShape& shape, double stepX, double stepZ, double weight
 } // namespace parity::lighting::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
+// Asserts stand here: above, they would name this file by the include path, which lies in the build folder.
 #if HWY_ONCE
 namespace parity::lighting {
 namespace {
@@ -133,11 +132,13 @@ HWY_EXPORT(GatherRay);
 
 void gatherMeridian(const LineShape& shape, double cosine, double weight, std::span<const CellLine> lines,
                     Gathered* gathered) {
+  assert(lines.size() == 1 || lines.size() == 2);
   HWY_DYNAMIC_DISPATCH(GatherMeridian)(shape, cosine, weight, lines, gathered);
 }
 
 void gatherRay(const LineShape& shape, double stepX, double stepZ, double weight, std::span<const CellLine> lines,
                Gathered* gathered) {
+  assert(lines.size() == 2 || lines.size() == 4);
   HWY_DYNAMIC_DISPATCH(GatherRay)(shape, stepX, stepZ, weight, lines, gathered);
 }
 
