@@ -37,6 +37,11 @@ if(PARITY_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPIL
   target_compile_options(parity_flags INTERFACE -Wno-error=array-bounds -Wno-error=restrict -Wno-error=stringop-overflow
                                                 -Wno-error=stringop-overread -Wno-error=maybe-uninitialized)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC collects its garbage at every 128 MiB and doubling: a tenth of its time. Rarer costs a quarter more memory: 2.6 GB for
+  # the largest unit.
+  target_compile_options(parity_flags INTERFACE --param=ggc-min-expand=1000 --param=ggc-min-heapsize=1000000)
+endif()
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC takes a source that another one includes for a header, where a type of an anonymous namespace would be a fault.
   target_compile_options(parity_flags INTERFACE -Wno-subobject-linkage)

@@ -59,11 +59,18 @@ inline constexpr std::array<std::uint32_t, 32> kSobolThird = [] {
   for (std::size_t k = 2; k < v.size(); ++k) v[k] = v[k - 1] ^ v[k - 2] ^ (v[k - 2] >> 2);
   return v;
 }();
+// The same, byte by byte of the index.
+inline constexpr std::array<std::array<std::uint32_t, 256>, 4> kSobolThirdOfByte = [] {
+  std::array<std::array<std::uint32_t, 256>, 4> sums{};
+  for (std::size_t byte = 0; byte < sums.size(); ++byte)
+    for (std::size_t value = 0; value < 256; ++value)
+      for (std::size_t bit = 0; bit < 8; ++bit)
+        if ((value >> bit & 1) != 0) sums[byte][value] ^= kSobolThird[8 * byte + bit];
+  return sums;
+}();
 constexpr std::uint32_t sobolThird(std::uint32_t index) {
-  std::uint32_t x = 0;
-  for (std::size_t k = 0; index != 0; ++k, index >>= 1)
-    if ((index & 1) != 0) x ^= kSobolThird[k];
-  return x;
+  const auto& sums = kSobolThirdOfByte;
+  return sums[0][index & 255] ^ sums[1][index >> 8 & 255] ^ sums[2][index >> 16 & 255] ^ sums[3][index >> 24];
 }
 
 // Point `index` of the Owen-scrambled Sobol (0,2)-sequence of this seed, in (0, 1)^2. Any 2^k first points are

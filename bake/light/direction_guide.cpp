@@ -1,6 +1,7 @@
 #include "bake/light/direction_guide.h"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <span>
 
@@ -16,15 +17,15 @@ void accumulate(std::span<const double> values, std::span<double> result) {
   for (double& share : result) share /= total;
 }
 
-// The interval that u lies in; u becomes the place in all of them, each as wide as the other. density: times what that
-// interval's is.
-std::size_t find(std::span<const double> cumulative, double& u, double& density) {
-  const auto count = static_cast<double>(cumulative.size() - 1);
-  const auto above = std::upper_bound(cumulative.begin() + 1, cumulative.end() - 1, u);
-  const auto i = static_cast<std::size_t>(above - cumulative.begin()) - 1;
+// The interval that u lies in, of a power of two of them; u becomes the place in all of them, each as wide as the other.
+// density: times what that interval's is. The search has no branch: a processor would guess every second one wrongly.
+template <std::size_t count> std::size_t find(const double* cumulative, double& u, double& density) {
+  static_assert(std::has_single_bit(count));
+  std::size_t i = 0;
+  for (std::size_t half = count / 2; half > 0; half /= 2) i += half * (cumulative[i + half] <= u ? 1 : 0);
   const double share = cumulative[i + 1] - cumulative[i];
-  density *= share * count;
-  u = (static_cast<double>(i) + std::clamp((u - cumulative[i]) / share, 0.0, 1.0)) / count;
+  density *= share * static_cast<double>(count);
+  u = (static_cast<double>(i) + std::clamp((u - cumulative[i]) / share, 0.0, 1.0)) / static_cast<double>(count);
   return i;
 }
 
@@ -44,8 +45,8 @@ DirectionGuide::DirectionGuide(const std::array<double, kCells>& wanted)
 double DirectionGuide::warp(glm::dvec2& u) const {
   double density = 1;
   if (m_rows.empty()) return density;
-  const std::size_t row = find(m_rows, u.x, density);
-  find(std::span(m_columns).subspan(row * (kColumns + 1), kColumns + 1), u.y, density);
+  const std::size_t row = find<kRows>(m_rows.data(), u.x, density);
+  find<kColumns>(m_columns.data() + row * (kColumns + 1), u.y, density);
   return density;
 }
 

@@ -16,7 +16,7 @@ enum Plane { kReferenceLight, kTestLight, kDeltaL, kDeltaA, kDeltaB, kUnusable, 
 
 // Added to both mean luminances, so that black has an exposure: some 12 stops below white, half of what the first step
 // of an 8-bit sRGB image shows. Both black: 0 EV.
-constexpr double kBlack = 1. / 8192;
+constexpr double kLuminanceFloor = 1. / 8192;
 // What a pixel that is not finite enters as: white for black. A mean of signed errors has no worst side, so these move
 // it away from 0, on the side where it is.
 constexpr double kWorstEv = 13, kWorstLab = 100;
@@ -58,9 +58,9 @@ std::vector<double> poolMeans(std::span<const double> means, std::span<const Sta
   for (const Statistic& statistic : wanted) {
     const std::string_view part = partOf(statistic);
     if (part == "ev")
-      out.push_back(withUnusable(
-          std::log2((std::max(mean(kTestLight), 0.) + kBlack) / (std::max(mean(kReferenceLight), 0.) + kBlack)),
-          kWorstEv, unusable));
+      out.push_back(withUnusable(std::log2((std::max(mean(kTestLight), 0.) + kLuminanceFloor) /
+                                           (std::max(mean(kReferenceLight), 0.) + kLuminanceFloor)),
+                                 kWorstEv, unusable));
     else
       out.push_back(withUnusable(mean(part == "dl" ? kDeltaL : part == "da" ? kDeltaA : kDeltaB), kWorstLab, unusable));
   }

@@ -55,6 +55,12 @@ TEST(Sobol, SecondDimensionIsThatOfTheDirectionNumbers) {
 TEST(Sobol, ThirdDimensionIsThatOfThePublishedPoints) {
   const double published[] = {0, 0.5, 0.25, 0.75, 0.625, 0.125, 0.875, 0.375};
   for (std::uint32_t n = 0; n < 8; ++n) EXPECT_EQ(sobolThird(n ^ (n >> 1)) * 0x1p-32, published[n]) << n;
+  // Any index is the sum of its bits' direction numbers.
+  for (std::uint32_t n = 1, k = 0; k < 1000; ++k, n = n * 1664525u + 1013904223u) {
+    std::uint32_t sum = 0;
+    for (std::uint32_t bit = 0; bit < 32; ++bit) sum ^= (n >> bit & 1) != 0 ? kSobolThird[bit] : 0;
+    ASSERT_EQ(sobolThird(n), sum) << n;
+  }
 }
 
 // Whether each of the elementary boxes of 2^-a[0] x 2^-a[1] x ... holds as many of these 2^k points as any other.
