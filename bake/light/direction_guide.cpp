@@ -17,8 +17,9 @@ void accumulate(std::span<const double> values, std::span<double> result) {
   for (double& share : result) share /= total;
 }
 
-// The interval that u lies in, of a power of two of them; u becomes the place in all of them, each as wide as the other.
-// density: times what that interval's is. The search has no branch: a processor would guess every second one wrongly.
+// The interval that u lies in, of a power of two of them; u becomes the place in all of them, each as wide as the
+// other. density: times what that interval's is. The search has no branch: a processor would guess every second one
+// wrongly.
 template <std::size_t count> std::size_t find(const double* cumulative, double& u, double& density) {
   static_assert(std::has_single_bit(count));
   std::size_t i = 0;
