@@ -38,7 +38,7 @@ struct SuiteEntry {
   std::optional<std::string> budgets; // path of a budget file for this scene
   std::vector<std::string> tags;      // sorted, each once
   std::vector<ExternalPictures> externals = {};
-  std::string where;                  // of its table, as messages name it: "nightly.toml: line 12"
+  std::string where; // of its table, as messages name it: "nightly.toml: line 12"
 };
 
 struct Suite {
