@@ -72,8 +72,8 @@ template <> inline constexpr auto kRecord<job::Content> = record<job::Content>("
     hidden(&job::Content::result), hidden(&job::Content::leftOut), hidden(&job::Content::files), hidden(&job::Content::inputs),
     hidden(&job::Content::isLeftOut), hidden(&job::Content::materials), hidden(&job::Content::error), hidden(&job::Content::warnings));
 template <> inline constexpr auto kRecord<job::RunPart> = record<job::RunPart>("", "",
-    hidden(&job::RunPart::seconds), hidden(&job::RunPart::cpuSeconds), hidden(&job::RunPart::machine), hidden(&job::RunPart::isCached), hidden(&job::RunPart::timings), hidden(&job::RunPart::shaders),
-    hidden(&job::RunPart::isGivenUp));
+    hidden(&job::RunPart::seconds), hidden(&job::RunPart::cpuSeconds), hidden(&job::RunPart::machine),
+    hidden(&job::RunPart::isCached), hidden(&job::RunPart::timings), hidden(&job::RunPart::shaders), hidden(&job::RunPart::isGivenUp));
 template <> inline constexpr auto kRecord<job::UnitOrigin> = record<job::UnitOrigin>("", "",
     hidden(&job::UnitOrigin::plan), hidden(&job::UnitOrigin::build), hidden(&job::UnitOrigin::numerics), hidden(&job::UnitOrigin::index));
 // clang-format on
