@@ -71,23 +71,115 @@ FN Refraction throughSphere(real32x3 N, real32x3 V, real32 ior, real32 thickness
   return r;
 }
 
+// Fresnel's reflectance of a dielectric for light from within, [0, 1]: 1 beyond the critical angle. c: the cosine within, o: that
+// outside, 0 beyond the critical angle; ior at least 1.
+FN real32 reflectanceFromWithin(real32 ior, real32 c, real32 o) {
+  PRECISE real32 s = (ior * c - o) / max(ior * c + o, R32(1e-12));
+  PRECISE real32 p = (c - ior * o) / max(c + ior * o, R32(1e-12));
+  PRECISE real32 mean = R32(0.5) * (s * s + p * p);
+  return o > R32(0.0) ? mean : R32(1.0);
+}
+
+// Snell's law: the cosine outside of that within, 0 beyond the critical angle.
+FN real32 cosineOutside(real32 ior, real32 c) {
+  PRECISE real32 outside2 = R32(1.0) - ior * ior * (R32(1.0) - c * c);
+  return sqrt(max(outside2, R32(0.0)));
+}
+
 // What a surface of GGX with this alpha reflects of light that meets it from within, by the dielectric's reflectance over its
 // visible normals, [0, 1]:
 //   F + (1 - 1 / ior^2 - F) (1 - exp(-a alpha - b alpha^2)),  a = 12.8 (1 - o)^2,  b = 2.7 max(2 o - 1, 0)
 // F: of a smooth surface; 1 - 1 / ior^2: the share of even light beyond the critical angle; o: the cosine outside, 0 beyond it.
 // The exponent is fitted at index 1.5 (tests/shading/refraction_test.cpp). c: the cosine within, [0, 1].
 FN real32 reflectedWithin(real32 alpha, real32 ior, real32 c) {
-  PRECISE real32 outside2 = R32(1.0) - ior * ior * (R32(1.0) - c * c);
-  real32 o = sqrt(max(outside2, R32(0.0)));
-  PRECISE real32 s = (ior * c - o) / max(ior * c + o, R32(1e-12));
-  PRECISE real32 p = (c - ior * o) / max(c + ior * o, R32(1e-12));
-  PRECISE real32 F = o > R32(0.0) ? R32(0.5) * (s * s + p * p) : R32(1.0);
+  real32 o = cosineOutside(ior, c);
+  real32 F = reflectanceFromWithin(ior, c, o);
   PRECISE real32 rough = R32(1.0) - R32(1.0) / (ior * ior);
   PRECISE real32 a = R32(12.8) * (R32(1.0) - o) * (R32(1.0) - o);
   PRECISE real32 b = R32(2.7) * max(R32(2.0) * o - R32(1.0), R32(0.0));
   PRECISE real32 exponent = alpha * (a + b * alpha);
   PRECISE real32 share = F + (rough - F) * (R32(1.0) - exp(-exponent));
   return min(max(share, R32(0.0)), R32(1.0));
+}
+
+// What becomes of a ray that meets a rough surface from within: means over the visible normals.
+struct Crossing {
+  real32 reflected;   // share, [0, 1]
+  real32x3 outside;   // unit: mean direction of what leaves, by how much it is
+  real32x3 reflection; // unit: that of what is reflected within
+};
+
+// Sums over microfacets, in the plane of incidence: x along it, z along the normal.
+struct FacetSums {
+  real32 reflected, outsideX, outsideZ, reflectionX, reflectionZ;
+};
+
+// Adds the microfacet of a point of the cap of visible normals (meanVisibleNormal's source): height u above its edge, (around, r)
+// the cosine and sine about the normal. (x, z): the ray's direction V. Light that a facet sends to the wrong side is mirrored at
+// the surface, as in the truth.
+FN void addFacet(INOUT(FacetSums) sums, real32 x, real32 z, real32 ior, real32 alpha, real32 height, real32 around,
+                 real32 weight) {
+  PRECISE real32 stretched = sqrt(max(alpha * alpha * x * x + z * z, R32(1e-12)));
+  PRECISE real32 vx = alpha * x / stretched;
+  PRECISE real32 vz = z / stretched;
+  PRECISE real32 cz = R32(1.0) - (R32(1.0) - height) * (R32(1.0) + vz);
+  PRECISE real32 r2 = max(R32(1.0) - cz * cz, R32(0.0));
+  PRECISE real32 tx = alpha * (sqrt(r2) * around + vx);
+  PRECISE real32 tz = max(cz + vz, R32(1e-6));
+  PRECISE real32 ty2 = alpha * alpha * r2 * (R32(1.0) - around * around);
+  PRECISE real32 l = sqrt(tx * tx + ty2 + tz * tz);
+  PRECISE real32 hx = tx / l;
+  PRECISE real32 hz = tz / l;
+  PRECISE real32 c = min(max(x * hx + z * hz, R32(0.0)), R32(1.0));
+  real32 o = cosineOutside(ior, c);
+  PRECISE real32 F = weight * reflectanceFromWithin(ior, c, o);
+  PRECISE real32 leaves = weight - F;
+  PRECISE real32 k = ior * c - o;
+  PRECISE real32 outX = k * hx - ior * x;
+  PRECISE real32 outZ = k * hz - ior * z;
+  PRECISE real32 backX = R32(2.0) * c * hx - x;
+  PRECISE real32 backZ = R32(2.0) * c * hz - z;
+  PRECISE real32 reflected = sums.reflected + F;
+  PRECISE real32 outsideX = sums.outsideX + leaves * outX;
+  PRECISE real32 outsideZ = sums.outsideZ - leaves * abs(outZ);
+  PRECISE real32 reflectionX = sums.reflectionX + F * backX;
+  PRECISE real32 reflectionZ = sums.reflectionZ + F * abs(backZ);
+  sums.reflected = reflected;
+  sums.outsideX = outsideX;
+  sums.outsideZ = outsideZ;
+  sums.reflectionX = reflectionX;
+  sums.reflectionZ = reflectionZ;
+}
+
+// For the ray's direction `inside` and the normal `exit` where it meets the surface, outwards: Gauss' rule of two heights and
+// eight points around each, of which the plane of incidence mirrors one half. Unit vectors; alpha in [0, 1], ior at least 1.
+FN Crossing crossingFromWithin(real32x3 inside, real32x3 exit, real32 ior, real32 alpha) {
+  PRECISE real32 z = max(dot32(inside, exit), R32(1e-4));
+  PRECISE real32x3 t = real32x3(z * exit.x - inside.x, z * exit.y - inside.y, z * exit.z - inside.z);
+  real32x3 T = safeNormalize(t, exit); // along the normal nothing points to either side
+  PRECISE real32 x = sqrt(max(R32(1.0) - z * z, R32(0.0)));
+  FacetSums sums;
+  sums.reflected = sums.outsideX = sums.outsideZ = sums.reflectionX = sums.reflectionZ = R32(0.0);
+  real32 low = R32(0.211324865), high = R32(0.788675135);
+  addFacet(sums, x, z, ior, alpha, high, R32(1.0), R32(0.0625));
+  addFacet(sums, x, z, ior, alpha, high, R32(0.707106781), R32(0.125));
+  addFacet(sums, x, z, ior, alpha, high, R32(0.0), R32(0.125));
+  addFacet(sums, x, z, ior, alpha, high, R32(-0.707106781), R32(0.125));
+  addFacet(sums, x, z, ior, alpha, high, R32(-1.0), R32(0.0625));
+  addFacet(sums, x, z, ior, alpha, low, R32(0.923879533), R32(0.125));
+  addFacet(sums, x, z, ior, alpha, low, R32(0.382683432), R32(0.125));
+  addFacet(sums, x, z, ior, alpha, low, R32(-0.382683432), R32(0.125));
+  addFacet(sums, x, z, ior, alpha, low, R32(-0.923879533), R32(0.125));
+  PRECISE real32x3 outside = real32x3(sums.outsideX * T.x - sums.outsideZ * exit.x, sums.outsideX * T.y - sums.outsideZ * exit.y,
+                                      sums.outsideX * T.z - sums.outsideZ * exit.z);
+  PRECISE real32x3 reflection =
+      real32x3(sums.reflectionX * T.x - sums.reflectionZ * exit.x, sums.reflectionX * T.y - sums.reflectionZ * exit.y,
+               sums.reflectionX * T.z - sums.reflectionZ * exit.z);
+  Crossing means;
+  means.reflected = min(sums.reflected, R32(1.0));
+  means.outside = safeNormalize(outside, exit);
+  means.reflection = safeNormalize(reflection, real32x3(-exit.x, -exit.y, -exit.z));
+  return means;
 }
 
 // The share of light that leaves a body after a reflection within it at the earliest, `reflected` of it by the first, `left`

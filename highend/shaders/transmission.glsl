@@ -62,30 +62,46 @@ void addThroughLight(inout Terms terms, Through t, Resolved m, Shader s, vec3 L,
                                 scatteredOnce(t.wall, t.wall.alpha, NoL, saturate(dot(t.wall.N, H)), saturate(dot(t.wall.V, H)));
 }
 
-// The environment's light behind what the backdrop covers. sky: scale of the environment.
-vec3 overBackdrop(vec3 environment, vec3 sky, vec3 origin, vec3 direction, float alpha) {
+// The environment's light behind what the backdrop covers.
+vec3 overBackdrop(vec3 environment, vec3 origin, vec3 direction, float alpha) {
   vec4 seen = seenBehind(origin, direction, kSideOfLobe * alpha);
-  return environment * sky * (1.0 - seen.w) + seen.xyz;
+  return environment * (1.0 - seen.w) + seen.xyz;
 }
 
-// Alpha of the read of light that is reflected within over that of the surface: its spread, and that of what is reflected
-// more often.
-const float kSpreadWithin = 2.0;
+// How much a reflection within widens the lobe of what leaves after it, in alpha of the surface: fitted against the truth.
+const float kSpreadWithin = 1.5;
+// Surfaces that light is followed to within a body, and the share of it that is worth another one. The last gets what is left.
+const int kMostCrossings = 8;
+const float kWorthFollowing = 0.01;
 
 vec3 environmentOf(Shader passing) { return hasEnvironment() ? reflectedLight(passing) : vec3(0.0); }
 
-// Through a body, of one index of refraction, without the weight.
+// Through a body, of one index of refraction, without the weight. Light that is reflected within leaves at one of the next
+// surfaces: at the rim most of it turns several times, and every turn shows another side of the surroundings.
 vec3 throughBody(Shader s, Point p, Resolved m, float ior, vec3 sky) {
-  Refraction r = throughSphere(s.N, s.V, ior, m.thickness, sqr(m.roughness));
-  float alpha = alphaOfRefraction(sqr(m.roughness), ior, r.bending), reflected = reflectedWithin(sqr(m.roughness), ior, r.cosine);
-  Shader passing = makePassing(s, r.outside, r.outside, sqrt(alpha));
-  vec3 light = overBackdrop(environmentOf(passing), sky, p.position + r.path * r.inside, r.outside, alpha);
-  // What is reflected within leaves at one of the next surfaces.
-  Shader again = makePassing(s, r.again, r.again, sqrt(min(kSpreadWithin * sqr(m.roughness), 1.0)));
-  vec3 left = transmittance(m.absorption, r.path);
-  vec3 later = vec3(leavingLater(reflected, left.x, m.roughness, ior), leavingLater(reflected, left.y, m.roughness, ior),
-                    leavingLater(reflected, left.z, m.roughness, ior));
-  return left * ((1.0 - reflected) * light + later * environmentOf(again) * sky);
+  float ofSurface = sqr(m.roughness);
+  Refraction r = throughSphere(s.N, s.V, ior, m.thickness, ofSurface);
+  float alpha = alphaOfRefraction(ofSurface, ior, r.bending);
+  vec3 inside = r.inside, exit = r.exit, outside = r.outside, kept = transmittance(m.absorption, r.path), light = vec3(0.0);
+  for (int i = 0; i < kMostCrossings; ++i) {
+    Crossing crossing = crossingFromWithin(inside, exit, ior, ofSurface);
+    if (i > 0) outside = crossing.outside;
+    float reflected = crossing.reflected, c = max(-dot(crossing.reflection, exit), 0.0); // c: of the chord to the next surface
+    vec3 left = transmittance(m.absorption, m.thickness * c);
+    float worth = max(max(kept.x, kept.y), kept.z) * reflected;
+    bool isLast = i == kMostCrossings - 1 || worth < kWorthFollowing;
+    vec3 seen = environmentOf(makePassing(s, outside, outside, sqrt(alpha))) * sky;
+    if (i == 0) seen = overBackdrop(seen, p.position + r.path * inside, outside, alpha);
+    // The last: as if all that follow were like it, a geometric series.
+    vec3 lost = isLast ? (1.0 - left) / max(1.0 - reflected * left, 1e-6) : vec3(1.0);
+    light += kept * (1.0 - reflected * lost) * seen;
+    if (isLast) break;
+    inside = crossing.reflection;
+    exit = safeNormalize(2.0 * c * inside + exit, inside);
+    kept *= reflected * left;
+    alpha = min(sqrt(sqr(alpha) + sqr(kSpreadWithin * ofSurface)), 1.0);
+  }
+  return light;
 }
 
 // From everywhere but lights. sky: scale of the environment's light; irradianceOverPi: of the other side, in that scale.
@@ -106,7 +122,7 @@ void addThroughEnvironment(inout Terms terms, Through t, Resolved m, Shader s, P
     }
   } else {
     t.wall.captures = s.captures;
-    light = overBackdrop(environmentOf(t.wall), sky, p.position, -s.V, t.wall.roughness * t.wall.roughness);
+    light = overBackdrop(environmentOf(t.wall) * sky, p.position, -s.V, t.wall.roughness * t.wall.roughness);
   }
   terms.t[kTermTransmission] += light * t.weight * m.occlusion;
 }

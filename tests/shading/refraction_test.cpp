@@ -229,6 +229,82 @@ TEST(ReflectedWithin, FitsTheMeanOverMicrofacets) {
   for (const double ior : {1.3, 1.8, 2.4}) EXPECT_LT(rmsOf(ior), 0.085) << ior;
 }
 
+// What a dense sum over the cap has: the share that is reflected, and sums of directions.
+struct DenseCrossing {
+  double reflected = 0;
+  glm::dvec3 outside{0}, reflection{0};
+};
+
+// inside, within a surface of normal +Z: light from below.
+DenseCrossing crossingBySum(const glm::dvec3& inside, double ior, double alpha) {
+  constexpr int kHeights = 96, kAround = 48;
+  const glm::dvec3 view(-inside.x, -inside.y, inside.z); // as seen from above the mirrored surface
+  const glm::dvec3 stretched = glm::normalize(glm::dvec3(alpha * view.x, alpha * view.y, view.z));
+  DenseCrossing sum;
+  for (int i = 0; i < kHeights; ++i)
+    for (int k = 0; k < kAround; ++k) {
+      const double z = 1 - (i + 0.5) / kHeights * (1 + stretched.z), r = std::sqrt(std::max(1 - z * z, 0.0)),
+                   turn = 2 * pi * (k + 0.5) / kAround;
+      const glm::dvec3 h = glm::dvec3(r * std::cos(turn), r * std::sin(turn), z) + stretched;
+      const glm::dvec3 up = glm::normalize(glm::dvec3(alpha * h.x, alpha * h.y, std::max(h.z, 1e-9)));
+      const glm::dvec3 facet(up.x, up.y, -up.z); // inwards
+      const double F = reflectanceWithin(ior, std::clamp(-glm::dot(inside, facet), 0.0, 1.0));
+      glm::dvec3 back = glm::reflect(inside, facet);
+      back.z = -std::abs(back.z);
+      sum.reflected += F / (kHeights * kAround);
+      sum.reflection += F * back;
+      if (auto out = F < 1 ? refract(inside, facet, ior) : std::nullopt) {
+        out->z = std::abs(out->z);
+        sum.outside += (1 - F) * *out;
+      }
+    }
+  return sum;
+}
+
+TEST(CrossingFromWithin, IsThatOfAMirror) {
+  for (const double ior : {1.1, 1.5, 2.4})
+    for (const double theta : {0.1, 0.3, 0.7, 1.3}) {
+      const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, -0.5, 0.8)),
+                       along = glm::normalize(glm::cross(normal, glm::dvec3(1, 0, 0))),
+                       inside = std::cos(theta) * normal + std::sin(theta) * along;
+      const f64::Crossing c = f64::crossingFromWithin(toReal(inside), toReal(normal), ior, 0);
+      EXPECT_NEAR(c.reflected, reflectanceWithin(ior, std::cos(theta)), 1e-7) << ior << " " << theta;
+      EXPECT_NEAR(glm::length(toGlm(c.reflection) - glm::reflect(inside, normal)), 0, 1e-6);
+      const auto out = refract(inside, -normal, ior);
+      if (out) {
+        EXPECT_NEAR(glm::length(toGlm(c.outside) - *out), 0, 1e-5) << ior << " " << theta;
+      }
+    }
+}
+
+TEST(CrossingFromWithin, IsTheMeanOverMicrofacets) {
+  for (const double ior : {1.2, 1.5, 2.0}) {
+    double squares = 0, most = 0, outside = 0, reflection = 0;
+    int count = 0;
+    for (const double alpha : {0.04, 0.16, 0.36, 0.64, 1.0})
+      for (int k = 0; k <= 20; ++k) {
+        const double theta = k / 20.0 * 0.5 * pi * 0.97;
+        const glm::dvec3 inside(std::sin(theta), 0, std::cos(theta));
+        const f64::Crossing c = f64::crossingFromWithin(toReal(inside), {0, 0, 1}, ior, alpha);
+        const DenseCrossing dense = crossingBySum(inside, ior, alpha);
+        const double error = c.reflected - dense.reflected;
+        squares += error * error;
+        most = std::max(most, std::abs(error));
+        ++count;
+        if (dense.reflected < 0.9)
+          outside = std::max(outside, glm::length(toGlm(c.outside) - glm::normalize(dense.outside)));
+        if (dense.reflected > 0.3)
+          reflection = std::max(reflection, glm::length(toGlm(c.reflection) - glm::normalize(dense.reflection)));
+      }
+    std::printf("  index %.1f: reflected rms %.3f, at most %.3f; directions within %.3f and %.3f\n", ior,
+                std::sqrt(squares / count), most, outside, reflection);
+    EXPECT_LT(std::sqrt(squares / count), 0.055);
+    EXPECT_LT(most, 0.2);
+    EXPECT_LT(outside, 0.3);
+    EXPECT_LT(reflection, 0.4);
+  }
+}
+
 TEST(MobileSceneShare, FadesFromAMirrorToHalfRoughness) {
   EXPECT_EQ(f64::mobileSceneShare(0), 1);
   EXPECT_EQ(f64::mobileSceneShare(0.25), 0.5);
