@@ -95,7 +95,7 @@ TEST_F(ShadowsTest, OfASuiteAreASceneAndAreDrawnOnceForAllViews) {
   const auto suite = [&](const std::string& views) {
     writeFile(m_folder / "suite.toml", "[[scene]]\nfile = \"builtin:shadows\"\nshadows = true\n" + views +
                                            "[[scene]]\nname = \"open\"\nfile = \"builtin:shadows\"\n");
-    return report({"--suite", (m_folder / "suite.toml").string(), "--no-cache"});
+    return report(join({{"--suite", (m_folder / "suite.toml").string(), "--no-cache"}, kRoughSky}));
   };
   const nlohmann::json one = suite("");
   EXPECT_EQ(lightOf(one, 0), "shadows; scale of mobile reflections: sky");

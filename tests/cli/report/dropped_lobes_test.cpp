@@ -15,6 +15,7 @@ protected:
     const std::string out = (m_folder / "out").string();
     const RunResult result = runParity(join({{"report", "builtin:lobes", "-o", out, "--size", "144x120", "--env",
                                               "builtin:studio", "--attribution", "none", "--no-cache"},
+                                             kRoughSky,
                                              more}));
     EXPECT_TRUE(exitedWith(2, result));
     m_text = result.out + result.err;

@@ -32,15 +32,14 @@ protected:
   }
   // The quad fills the picture, whose middle pixel sees its middle.
   base::Image render(const std::string& scene, const std::string& by, const std::vector<std::string>& more) const {
-    return RenderingTest::render(
-        scene, by, join({{"--size", "33x33", "--orbit", "0,90,0.4", "--no-cache", "--error", "4%"}, more}),
-        by + ".exr");
+    return RenderingTest::render(scene, by, join({{"--size", "33x33", "--orbit", "0,90,0.4", "--error", "4%"}, more}),
+                                 by + ".exr");
   }
   // Mean FLIP of mobile's picture against high-end's, both as displayed.
   double flipBetweenPaths(const std::string& scene, const std::vector<std::string>& more) {
     const auto picture = [&](const std::string& path) { return (m_folder / (path + ".png")).string(); };
     for (const char* path : {"highend", "mobile"})
-      EXPECT_TRUE(exitedWith(0, runParity(join({{"render", scene, "--path", path, "-o", picture(path), "--no-cache"},
+      EXPECT_TRUE(exitedWith(0, runParity(join({{"render", scene, "--path", path, "-o", picture(path)},
                                                 {"--size", "64x64", "--validation"},
                                                 more}))));
     const RunResult result = runParity({"flip", picture("highend"), picture("mobile"), "--json", "-"});
@@ -136,7 +135,7 @@ TEST_F(FalloffOfTheProgram, AMetalObeysTheSkyLightColorInEveryPreset) {
     for (const char* path : {"highend", "mobile"}) {
       const std::string picture = (m_folder / "mirror.exr").string();
       ASSERT_TRUE(exitedWith(0, runParity(join({{"render", scene, "--path", path, "-o", picture, "--size", "33x33"},
-                                                {"--no-cache", "--validation"},
+                                                {"--validation"},
                                                 lit("0.5,0.2,0.1")}))));
       const base::Image image = base::readImage(picture);
       for (int c = 0; c < 3; ++c)
