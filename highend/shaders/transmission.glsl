@@ -76,6 +76,24 @@ const float kWorthFollowing = 0.01;
 
 vec3 environmentOf(Shader passing) { return hasEnvironment() ? reflectedLight(passing) : vec3(0.0); }
 
+// Alpha of the reflection that turns rays by as much as small tilts turn the refracted ray (turnOfRefraction2).
+float turnedBy(float alpha, float q) { return 0.5 * alpha * sqrt(turnOfRefraction2(q)); }
+
+vec3 environmentAbout(Shader s, vec3 direction, float alpha) {
+  return environmentOf(makePassing(s, direction, direction, sqrt(min(alpha, 1.0))));
+}
+
+// Over a lobe that is longer in the plane of its direction and `normal` than across it, alpha of both: three reads along it, each
+// wider by a share of what it is longer; share and distance are fitted against the truth. One where it is about round.
+vec3 environmentOver(Shader s, vec3 direction, vec3 normal, float across, float along) {
+  float longer = sqrt(max(sqr(along) - sqr(across), 0.0));
+  if (longer < 0.2 * across) return environmentAbout(s, direction, sqrt(across * along));
+  vec3 step = 1.2 * longer * safeNormalize(normal - dot(normal, direction) * direction, direction);
+  float alpha = sqrt(sqr(across) + sqr(0.6 * longer));
+  return 0.5 * environmentAbout(s, direction, alpha) + 0.25 * environmentAbout(s, safeNormalize(direction + step, direction), alpha) +
+         0.25 * environmentAbout(s, safeNormalize(direction - step, direction), alpha);
+}
+
 // Through a body, of one index of refraction, without the weight. Light that is reflected within leaves at one of the next
 // surfaces: at the rim most of it turns several times, and every turn shows another side of the surroundings.
 vec3 throughBody(Shader s, Point p, Resolved m, float ior, vec3 sky) {
@@ -90,8 +108,13 @@ vec3 throughBody(Shader s, Point p, Resolved m, float ior, vec3 sky) {
     vec3 left = transmittance(m.absorption, m.thickness * c);
     float worth = max(max(kept.x, kept.y), kept.z) * reflected;
     bool isLast = i == kMostCrossings - 1 || worth < kWorthFollowing;
-    vec3 seen = environmentOf(makePassing(s, outside, outside, sqrt(alpha))) * sky;
-    if (i == 0) seen = overBackdrop(seen, p.position + r.path * inside, outside, alpha);
+    vec3 seen;
+    if (i == 0) {
+      seen = environmentOver(s, outside, exit, turnedBy(ofSurface, 1.0 / ior), turnedBy(ofSurface, r.bending)) * sky;
+      seen = overBackdrop(seen, p.position + r.path * inside, outside, alpha);
+    } else {
+      seen = environmentAbout(s, outside, alpha) * sky;
+    }
     // The last: as if all that follow were like it, a geometric series.
     vec3 lost = isLast ? (1.0 - left) / max(1.0 - reflected * left, 1e-6) : vec3(1.0);
     light += kept * (1.0 - reflected * lost) * seen;
@@ -99,7 +122,7 @@ vec3 throughBody(Shader s, Point p, Resolved m, float ior, vec3 sky) {
     inside = crossing.reflection;
     exit = safeNormalize(2.0 * c * inside + exit, inside);
     kept *= reflected * left;
-    alpha = min(sqrt(sqr(alpha) + sqr(kSpreadWithin * ofSurface)), 1.0);
+    alpha = sqrt(sqr(alpha) + sqr(kSpreadWithin * ofSurface));
   }
   return light;
 }
