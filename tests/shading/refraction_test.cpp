@@ -1,6 +1,8 @@
 // Refraction through a sphere against a ray that is traced through one, absorption, dispersion and the spread of rough
 // bodies.
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <optional>
 
