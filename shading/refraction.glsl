@@ -12,8 +12,8 @@ struct Refraction {
   real32 path;      // of it in the body, in the unit of the thickness
   real32x3 exit;    // unit: the normal where the ray leaves
   real32x3 outside; // unit: direction in which the ray leaves
-  real32x3 again;   // unit: that of the ray that was reflected once within
-  real32 cosine;    // at which the ray meets the surface from within
+  real32x3 again;   // unit: that of the ray that was reflected once within; the mobile path's
+  real32 cosine;    // at which the ray meets the surface from within; the mobile path's
   real32 bending;   // cosine outside over ior times that within, where the ray enters a rough surface
 };
 
@@ -87,7 +87,7 @@ FN real32 cosineOutside(real32 ior, real32 c) {
 }
 
 // What a surface of GGX with this alpha reflects of light that meets it from within, by the dielectric's reflectance over its
-// visible normals, [0, 1]:
+// visible normals, [0, 1]; the mobile path's:
 //   F + (1 - 1 / ior^2 - F) (1 - exp(-a alpha - b alpha^2)),  a = 12.8 (1 - o)^2,  b = 2.7 max(2 o - 1, 0)
 // F: of a smooth surface; 1 - 1 / ior^2: the share of even light beyond the critical angle; o: the cosine outside, 0 beyond it.
 // The exponent is fitted at index 1.5 (tests/shading/refraction_test.cpp). c: the cosine within, [0, 1].
@@ -104,8 +104,8 @@ FN real32 reflectedWithin(real32 alpha, real32 ior, real32 c) {
 
 // What becomes of a ray that meets a rough surface from within: means over the visible normals.
 struct Crossing {
-  real32 reflected;   // share, [0, 1]
-  real32x3 outside;   // unit: mean direction of what leaves, by how much it is
+  real32 reflected;    // share, [0, 1]
+  real32x3 outside;    // unit: mean direction of what leaves, by how much it is
   real32x3 reflection; // unit: that of what is reflected within
 };
 
@@ -114,9 +114,9 @@ struct FacetSums {
   real32 reflected, outsideX, outsideZ, reflectionX, reflectionZ;
 };
 
-// Adds the microfacet of a point of the cap of visible normals (meanVisibleNormal's source): height u above its edge, (around, r)
-// the cosine and sine about the normal. (x, z): the ray's direction V. Light that a facet sends to the wrong side is mirrored at
-// the surface, as in the truth.
+// Adds the microfacet of a point of the cap of visible normals (meanVisibleNormal's source). height: of the point above the cap's
+// edge, [0, 1] of the cap's; around: the cosine of its angle about the normal, from the plane of incidence. (x, z): the ray against
+// its direction, in that plane. Light that a facet sends to the wrong side is mirrored at the surface, as in the truth.
 FN void addFacet(INOUT(FacetSums) sums, real32 x, real32 z, real32 ior, real32 alpha, real32 height, real32 around,
                  real32 weight) {
   PRECISE real32 stretched = sqrt(max(alpha * alpha * x * x + z * z, R32(1e-12)));
@@ -152,7 +152,9 @@ FN void addFacet(INOUT(FacetSums) sums, real32 x, real32 z, real32 ior, real32 a
 }
 
 // For the ray's direction `inside` and the normal `exit` where it meets the surface, outwards: Gauss' rule of two heights and
-// eight points around each, of which the plane of incidence mirrors one half. Unit vectors; alpha in [0, 1], ior at least 1.
+// eight points around each, of which the plane of incidence mirrors one half. Some facets of a rough surface always let light out,
+// though none of the rule's may: the share is at most 1 - alpha^2 / (2 ior^2), where even light has 1 - 1 / ior^2.
+// Unit vectors; alpha in [0, 1], ior at least 1.
 FN Crossing crossingFromWithin(real32x3 inside, real32x3 exit, real32 ior, real32 alpha) {
   PRECISE real32 z = max(dot32(inside, exit), R32(1e-4));
   PRECISE real32x3 t = real32x3(z * exit.x - inside.x, z * exit.y - inside.y, z * exit.z - inside.z);
@@ -176,14 +178,15 @@ FN Crossing crossingFromWithin(real32x3 inside, real32x3 exit, real32 ior, real3
       real32x3(sums.reflectionX * T.x - sums.reflectionZ * exit.x, sums.reflectionX * T.y - sums.reflectionZ * exit.y,
                sums.reflectionX * T.z - sums.reflectionZ * exit.z);
   Crossing means;
-  means.reflected = min(sums.reflected, R32(1.0));
+  PRECISE real32 most = R32(1.0) - R32(0.5) * alpha * alpha / (ior * ior);
+  means.reflected = min(sums.reflected, most);
   means.outside = safeNormalize(outside, exit);
   means.reflection = safeNormalize(reflection, real32x3(-exit.x, -exit.y, -exit.z));
   return means;
 }
 
 // The share of light that leaves a body after a reflection within it at the earliest, `reflected` of it by the first, `left`
-// of it after each way: a geometric series. Rough surfaces turn light into directions beyond the critical angle, of which
+// of it after each way: a geometric series; the mobile path's. Rough surfaces turn light into directions beyond the critical angle, of which
 // they reflect 1 - 1 / ior^2; they are rough from roughness .2 on, the project's own fit against the truth. left in [0, 1].
 FN real32 leavingLater(real32 reflected, real32 left, real32 roughness, real32 ior) {
   PRECISE real32 rough = max(R32(1.0) - R32(1.0) / (ior * ior), reflected);

@@ -1,5 +1,5 @@
 // Light that passes through the base, where the permutation has it: docs/shading.md 13. Through a thin wall a GGX lobe about the
-// direction of the eye's ray; through a body the lobe about the direction in which the ray leaves it; and diffuse light of the
+// direction of the eye's ray; through a body a lobe about each direction in which light leaves it; and diffuse light of the
 // other side. What lies behind is the backdrop, and the environment where that has nothing.
 #include "gpu/shaders/backdrop.glsl"
 #include "shading/refraction.glsl"
@@ -76,7 +76,7 @@ const float kWorthFollowing = 0.01;
 
 vec3 environmentOf(Shader passing) { return hasEnvironment() ? reflectedLight(passing) : vec3(0.0); }
 
-// Alpha of the reflection that turns rays by as much as small tilts turn the refracted ray (turnOfRefraction2).
+// Alpha of the reflection that turns rays by as much as small tilts turn the refracted ray (turnOfRefraction2), in one plane.
 float turnedBy(float alpha, float q) { return 0.5 * alpha * sqrt(turnOfRefraction2(q)); }
 
 vec3 environmentAbout(Shader s, vec3 direction, float alpha) {
@@ -87,7 +87,7 @@ vec3 environmentAbout(Shader s, vec3 direction, float alpha) {
 // wider by a share of what it is longer; share and distance are fitted against the truth. One where it is about round.
 vec3 environmentOver(Shader s, vec3 direction, vec3 normal, float across, float along) {
   float longer = sqrt(max(sqr(along) - sqr(across), 0.0));
-  if (longer < 0.2 * across) return environmentAbout(s, direction, sqrt(across * along));
+  if (longer <= 0.2 * across) return environmentAbout(s, direction, sqrt(across * along));
   vec3 step = 1.2 * longer * safeNormalize(normal - dot(normal, direction) * direction, direction);
   float alpha = sqrt(sqr(across) + sqr(0.6 * longer));
   return 0.5 * environmentAbout(s, direction, alpha) + 0.25 * environmentAbout(s, safeNormalize(direction + step, direction), alpha) +
