@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "base/text/text.h"
+
 namespace parity::scenes {
 
 std::string cleanName(std::string_view name) {
   constexpr std::size_t kMaxBytes = 128;
-  std::string clean(name.substr(0, kMaxBytes + 1));
+  std::string clean = base::cleanUtf8(name.substr(0, kMaxBytes + 1)); // names of files and channels are any bytes
   for (char& c : clean)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   if (clean.size() > kMaxBytes) {

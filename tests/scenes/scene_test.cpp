@@ -71,6 +71,7 @@ TEST(Names, AreCutBetweenUtf8Characters) {
   EXPECT_EQ((clean.size() - 3) % 2, 0u);
   EXPECT_EQ(scenes::cleanName(" a\tb\x7f "), "a b");
   EXPECT_EQ(scenes::cleanName("\n"), "");
+  EXPECT_EQ(scenes::cleanName("G, \xA5"), "G, \uFFFD");
 }
 
 } // namespace
