@@ -14,7 +14,8 @@ bool isBuiltin(std::string_view fileOrBuiltin);
 // "sky" of "builtin:sky", the stem of a file.
 std::string stemOf(const std::string& fileOrBuiltin);
 
-// Control characters become spaces, and what is not UTF-8 U+FFFD; what is longer than 128 bytes is cut between UTF-8 characters and ends in "...".
+// Control characters become spaces, and what is not UTF-8 U+FFFD; what is longer than 128 bytes is cut between UTF-8
+// characters and ends in "...".
 std::string cleanName(std::string_view name);
 
 // Hands out each name once: the second "a" becomes "a (2)".
