@@ -186,8 +186,9 @@ FN Crossing crossingFromWithin(real32x3 inside, real32x3 exit, real32 ior, real3
 }
 
 // The share of light that leaves a body after a reflection within it at the earliest, `reflected` of it by the first, `left`
-// of it after each way: a geometric series; the mobile path's. Rough surfaces turn light into directions beyond the critical angle, of which
-// they reflect 1 - 1 / ior^2; they are rough from roughness .2 on, the project's own fit against the truth. left in [0, 1].
+// of it after each way: a geometric series; the mobile path's. Rough surfaces turn light into directions beyond the critical
+// angle, of which they reflect 1 - 1 / ior^2; they are rough from roughness .2 on, the project's own fit against the truth.
+// left in [0, 1].
 FN real32 leavingLater(real32 reflected, real32 left, real32 roughness, real32 ior) {
   PRECISE real32 rough = max(R32(1.0) - R32(1.0) / (ior * ior), reflected);
   PRECISE real32 trapped = reflected + (rough - reflected) * min(R32(5.0) * roughness, R32(1.0));
@@ -219,13 +220,18 @@ FN real32 turnOfRefraction2(real32 q) {
   return sum;
 }
 
-// Alpha of the GGX reflection whose directions spread as much as those of the light that passes a sphere of this alpha:
-// reflected light turns by twice a tilt. Across the plane of incidence a ray turns about as on the axis; the weights of both are
-// the project's own, fitted against the truth. q: of the ray.
-FN real32 alphaOfRefraction(real32 alpha, real32 ior, real32 q) {
-  PRECISE real32 turn2 = R32(0.3) * turnOfRefraction2(R32(1.0) / ior) + R32(0.7) * turnOfRefraction2(q);
+// Alpha of the GGX reflection whose directions spread as much as those of rays that turn by the root of turn2 times a tilt:
+// reflected light turns by twice a tilt. turn2: from turnOfRefraction2.
+FN real32 alphaOfTurn(real32 alpha, real32 turn2) {
   PRECISE real32 a = R32(0.5) * alpha * sqrt(turn2);
   return min(a, R32(1.0));
+}
+
+// The same of the light that passes a sphere of this alpha, in one number. Across the plane of incidence a ray turns about as on
+// the axis; the weights of both are the project's own, fitted against the truth. q: of the ray.
+FN real32 alphaOfRefraction(real32 alpha, real32 ior, real32 q) {
+  PRECISE real32 turn2 = R32(0.3) * turnOfRefraction2(R32(1.0) / ior) + R32(0.7) * turnOfRefraction2(q);
+  return alphaOfTurn(alpha, turn2);
 }
 
 #endif

@@ -76,9 +76,6 @@ const float kWorthFollowing = 0.01;
 
 vec3 environmentOf(Shader passing) { return hasEnvironment() ? reflectedLight(passing) : vec3(0.0); }
 
-// Alpha of the reflection that turns rays by as much as small tilts turn the refracted ray (turnOfRefraction2), in one plane.
-float turnedBy(float alpha, float q) { return 0.5 * alpha * sqrt(turnOfRefraction2(q)); }
-
 vec3 environmentAbout(Shader s, vec3 direction, float alpha) {
   return environmentOf(makePassing(s, direction, direction, sqrt(min(alpha, 1.0))));
 }
@@ -90,8 +87,9 @@ vec3 environmentOver(Shader s, vec3 direction, vec3 normal, float across, float 
   if (longer <= 0.2 * across) return environmentAbout(s, direction, sqrt(across * along));
   vec3 step = 1.2 * longer * safeNormalize(normal - dot(normal, direction) * direction, direction);
   float alpha = sqrt(sqr(across) + sqr(0.6 * longer));
-  return 0.5 * environmentAbout(s, direction, alpha) + 0.25 * environmentAbout(s, safeNormalize(direction + step, direction), alpha) +
-         0.25 * environmentAbout(s, safeNormalize(direction - step, direction), alpha);
+  vec3 ends = environmentAbout(s, safeNormalize(direction + step, direction), alpha) +
+              environmentAbout(s, safeNormalize(direction - step, direction), alpha);
+  return 0.5 * environmentAbout(s, direction, alpha) + 0.25 * ends;
 }
 
 // Through a body, of one index of refraction, without the weight. Light that is reflected within leaves at one of the next
@@ -110,7 +108,9 @@ vec3 throughBody(Shader s, Point p, Resolved m, float ior, vec3 sky) {
     bool isLast = i == kMostCrossings - 1 || worth < kWorthFollowing;
     vec3 seen;
     if (i == 0) {
-      seen = environmentOver(s, outside, exit, turnedBy(ofSurface, 1.0 / ior), turnedBy(ofSurface, r.bending)) * sky;
+      float across = alphaOfTurn(ofSurface, turnOfRefraction2(1.0 / ior));
+      float along = alphaOfTurn(ofSurface, turnOfRefraction2(r.bending));
+      seen = environmentOver(s, outside, exit, across, along) * sky;
       seen = overBackdrop(seen, p.position + r.path * inside, outside, alpha);
     } else {
       seen = environmentAbout(s, outside, alpha) * sky;

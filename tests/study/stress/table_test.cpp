@@ -101,6 +101,7 @@ TEST(StressTable, EvaluatesEveryPublicFunctionOfTheSources) {
                                            "addFacet",
                                            "crossingFromWithin",
                                            "turnOfRefraction2",
+                                           "alphaOfTurn",
                                            "leavingLater",
                                            "transmittance",
                                            "dispersedIors",
