@@ -76,20 +76,32 @@ const float kWorthFollowing = 0.01;
 
 vec3 environmentOf(Shader passing) { return hasEnvironment() ? reflectedLight(passing) : vec3(0.0); }
 
-vec3 environmentAbout(Shader s, vec3 direction, float alpha) {
-  return environmentOf(makePassing(s, direction, direction, sqrt(min(alpha, 1.0))));
+// Where light leaves a body: the lobe about a direction. It may be longer along `step`, in the plane of incidence: then it is
+// read three times, in the middle and a step to both sides.
+struct Leaving {
+  vec3 direction, step; // unit; 0: one read
+  float alpha;          // of each read
+};
+
+// across, along: alpha across the plane of incidence, and in it, where `normal` lies, too. Each read is wider by a share of what the
+// lobe is longer; share and distance are fitted against the truth. One where the lobe is about round.
+Leaving leavingAlong(vec3 direction, vec3 normal, float across, float along) {
+  float longer = sqrt(max(sqr(along) - sqr(across), 0.0));
+  if (longer <= 0.2 * across) return Leaving(direction, vec3(0.0), sqrt(across * along));
+  vec3 side = safeNormalize(normal - dot(normal, direction) * direction, direction);
+  return Leaving(direction, 1.2 * longer * side, sqrt(sqr(across) + sqr(0.6 * longer)));
 }
 
-// Over a lobe that is longer in the plane of its direction and `normal` than across it, alpha of both: three reads along it, each
-// wider by a share of what it is longer; share and distance are fitted against the truth. One where it is about round.
-vec3 environmentOver(Shader s, vec3 direction, vec3 normal, float across, float along) {
-  float longer = sqrt(max(sqr(along) - sqr(across), 0.0));
-  if (longer <= 0.2 * across) return environmentAbout(s, direction, sqrt(across * along));
-  vec3 step = 1.2 * longer * safeNormalize(normal - dot(normal, direction) * direction, direction);
-  float alpha = sqrt(sqr(across) + sqr(0.6 * longer));
-  vec3 ends = environmentAbout(s, safeNormalize(direction + step, direction), alpha) +
-              environmentAbout(s, safeNormalize(direction - step, direction), alpha);
-  return 0.5 * environmentAbout(s, direction, alpha) + 0.25 * ends;
+// One place in the shader for all reads of a body: a driver's compiler takes long for each.
+vec3 environmentOver(Shader s, Leaving l) {
+  vec3 light = vec3(0.0);
+  int reads = dot(l.step, l.step) > 0.0 ? 3 : 1;
+  for (int k = 0; k < reads; ++k) {
+    vec3 direction = safeNormalize(l.direction + float(k - reads / 2) * l.step, l.direction);
+    float weight = reads == 1 ? 1.0 : k == 1 ? 0.5 : 0.25;
+    light += weight * environmentOf(makePassing(s, direction, direction, sqrt(min(l.alpha, 1.0))));
+  }
+  return light;
 }
 
 // Through a body, of one index of refraction, without the weight. Light that is reflected within leaves at one of the next
@@ -98,23 +110,18 @@ vec3 throughBody(Shader s, Point p, Resolved m, float ior, vec3 sky) {
   float ofSurface = sqr(m.roughness);
   Refraction r = throughSphere(s.N, s.V, ior, m.thickness, ofSurface);
   float alpha = alphaOfRefraction(ofSurface, ior, r.bending);
-  vec3 inside = r.inside, exit = r.exit, outside = r.outside, kept = transmittance(m.absorption, r.path), light = vec3(0.0);
+  vec3 inside = r.inside, exit = r.exit, kept = transmittance(m.absorption, r.path), light = vec3(0.0);
+  Leaving leaving = leavingAlong(r.outside, exit, alphaOfTurn(ofSurface, turnOfRefraction2(1.0 / ior)),
+                                 alphaOfTurn(ofSurface, turnOfRefraction2(r.bending)));
   for (int i = 0; i < kMostCrossings; ++i) {
     Crossing crossing = crossingFromWithin(inside, exit, ior, ofSurface);
-    if (i > 0) outside = crossing.outside;
     float reflected = crossing.reflected, c = max(-dot(crossing.reflection, exit), 0.0); // c: of the chord to the next surface
     vec3 left = transmittance(m.absorption, m.thickness * c);
     float worth = max(max(kept.x, kept.y), kept.z) * reflected;
     bool isLast = i == kMostCrossings - 1 || worth < kWorthFollowing;
-    vec3 seen;
-    if (i == 0) {
-      float across = alphaOfTurn(ofSurface, turnOfRefraction2(1.0 / ior));
-      float along = alphaOfTurn(ofSurface, turnOfRefraction2(r.bending));
-      seen = environmentOver(s, outside, exit, across, along) * sky;
-      seen = overBackdrop(seen, p.position + r.path * inside, outside, alpha);
-    } else {
-      seen = environmentAbout(s, outside, alpha) * sky;
-    }
+    if (i > 0) leaving = Leaving(crossing.outside, vec3(0.0), alpha);
+    vec3 seen = environmentOver(s, leaving) * sky;
+    if (i == 0) seen = overBackdrop(seen, p.position + r.path * inside, r.outside, alpha);
     // The last: as if all that follow were like it, a geometric series.
     vec3 lost = isLast ? (1.0 - left) / max(1.0 - reflected * left, 1e-6) : vec3(1.0);
     light += kept * (1.0 - reflected * lost) * seen;
