@@ -76,6 +76,11 @@ LobeSampling lobeSampling(Shader s, vec2 alpha, int count) {
   return q;
 }
 
+// Of the points about the direction whose half vector is h, per steradian.
+float densityOf(LobeSampling q, vec3 h) {
+  return q.count * q.G1 / (4.0 * q.v.z) * D_GGXAnisotropic(q.alpha.x, q.alpha.y, h.x, h.y, h.z);
+}
+
 LobePoint lobePoint(LobeSampling q, int i) {
   float z = (1.0 - (float(i) + 0.5) / q.count) * (1.0 + q.stretched.z) - q.stretched.z;
   float radius = sqrt(max(1.0 - z * z, 0.0)), turn = 2.0 * kPi * fract(float(i) * 0.618033989);
@@ -86,7 +91,7 @@ LobePoint lobePoint(LobeSampling q, int i) {
   p.direction = 2.0 * p.VoH * h - q.v;
   p.VoH = saturate(p.VoH);
   float perPoint = q.G1 / (4.0 * q.v.z), V = anisotropicVisibility(q.alpha, q.v, p.direction);
-  p.density = q.count * perPoint * D_GGXAnisotropic(q.alpha.x, q.alpha.y, h.x, h.y, h.z);
+  p.density = densityOf(q, h);
   p.weight = p.direction.z <= 0.0 ? 0.0 : p.direction.z * V / (q.count * perPoint);
   return p;
 }

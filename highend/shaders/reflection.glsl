@@ -131,14 +131,14 @@ vec3 lampDifference(Shader s, vec3 R, Read reads[kMaxTaps], float tail, vec3 rad
 }
 
 #ifdef PARITY_LOBES
-#include "highend/shaders/anisotropic_reflection.glsl"
+#include "highend/shaders/summed_reflection.glsl"
 #endif
 
 // Radiance of what the lobe scatters once. What is sharper than any level is a core, read once in the mirror direction,
 // and the tail that the levels have.
 vec3 reflectedLight(Shader s) {
 #ifdef PARITY_LOBES
-  if (isAnisotropic(s)) return reflectedByAnisotropic(s);
+  if (isAnisotropic(s)) return summedReflection(s);
 #endif
   vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
   float mip = unclampedMip(s.roughness), tail = 1.0;
