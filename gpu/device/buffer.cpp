@@ -11,7 +11,7 @@ namespace parity::gpu {
 namespace {
 
 using Usage = vk::BufferUsageFlagBits;
-using Memory = vk::MemoryPropertyFlagBits;
+using Property = vk::MemoryPropertyFlagBits;
 
 // The device's own, or where much is copied one that goes again.
 const HostBuffer& stagingOf(const Device& device, vk::DeviceSize size, std::optional<HostBuffer>& temporary) {
@@ -28,25 +28,22 @@ Buffer::Buffer(const Device& device, vk::DeviceSize size)
                                                                         Usage::eVertexBuffer | Usage::eIndexBuffer |
                                                                         Usage::eTransferSrc | Usage::eTransferDst));
   const vk::MemoryRequirements needs = m_buffer.getMemoryRequirements();
-  vk::MemoryPropertyFlags wanted = Memory::eDeviceLocal;
-  if (device.unifiedMemory()) wanted |= Memory::eHostVisible | Memory::eHostCoherent;
+  vk::MemoryPropertyFlags wanted = Property::eDeviceLocal;
+  if (device.unifiedMemory()) wanted |= Property::eHostVisible | Property::eHostCoherent;
   try {
-    m_memory = vk::raii::DeviceMemory(
-        device.handle(),
-        vk::MemoryAllocateInfo(needs.size, device.memoryType(needs.memoryTypeBits, wanted, Memory::eHostCached)));
+    m_memory = device.allocate(needs, wanted, Property::eHostCached, device.unifiedMemory());
   } catch (const vk::SystemError& error) {
     throw base::Error(base::ExitCode::failed, device.report().name, "buffer of " + std::to_string(size) + " bytes",
                       error.what());
   }
-  m_buffer.bindMemory(*m_memory, 0);
-  if (device.unifiedMemory()) m_mapped = static_cast<std::byte*>(m_memory.mapMemory(0, VK_WHOLE_SIZE));
+  m_buffer.bindMemory(m_memory.handle(), 0);
 }
 
 void Buffer::upload(std::span<const std::byte> bytes, vk::DeviceSize offset) const {
   assert(offset + bytes.size() <= m_size);
   if (bytes.empty()) return;
-  if (m_mapped) {
-    std::memcpy(m_mapped + offset, bytes.data(), bytes.size());
+  if (std::byte* mapped = m_memory.mapped()) {
+    std::memcpy(mapped + offset, bytes.data(), bytes.size());
     return;
   }
   std::optional<HostBuffer> temporary;
@@ -60,8 +57,8 @@ void Buffer::upload(std::span<const std::byte> bytes, vk::DeviceSize offset) con
 void Buffer::download(std::span<std::byte> bytes, vk::DeviceSize offset) const {
   assert(offset + bytes.size() <= m_size);
   if (bytes.empty()) return;
-  if (m_mapped) {
-    std::memcpy(bytes.data(), m_mapped + offset, bytes.size());
+  if (const std::byte* mapped = m_memory.mapped()) {
+    std::memcpy(bytes.data(), mapped + offset, bytes.size());
     return;
   }
   std::optional<HostBuffer> temporary;
@@ -77,17 +74,12 @@ HostBuffer::HostBuffer(const Device& device, vk::DeviceSize size) : m_size(size)
       vk::raii::Buffer(device.handle(), vk::BufferCreateInfo({}, size, Usage::eTransferSrc | Usage::eTransferDst));
   const vk::MemoryRequirements needs = m_buffer.getMemoryRequirements();
   try {
-    m_memory = vk::raii::DeviceMemory(
-        device.handle(),
-        vk::MemoryAllocateInfo(needs.size,
-                               device.memoryType(needs.memoryTypeBits, Memory::eHostVisible | Memory::eHostCoherent,
-                                                 Memory::eHostCached)));
+    m_memory = device.allocate(needs, Property::eHostVisible | Property::eHostCoherent, Property::eHostCached, true);
   } catch (const vk::SystemError& error) {
     throw base::Error(base::ExitCode::failed, device.report().name,
                       "buffer of " + std::to_string(size) + " bytes for copies", error.what());
   }
-  m_buffer.bindMemory(*m_memory, 0);
-  m_mapped = static_cast<std::byte*>(m_memory.mapMemory(0, VK_WHOLE_SIZE));
+  m_buffer.bindMemory(m_memory.handle(), 0);
 }
 
 } // namespace parity::gpu

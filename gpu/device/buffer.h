@@ -40,9 +40,8 @@ public:
 private:
   const Device* m_device = nullptr;
   vk::DeviceSize m_size = 0;
-  vk::raii::DeviceMemory m_memory{nullptr};
+  Memory m_memory;
   vk::raii::Buffer m_buffer{nullptr};
-  std::byte* m_mapped = nullptr;
 };
 
 // Memory of the host that the device copies from and to: mapped as long as it lives.
@@ -52,13 +51,12 @@ public:
 
   vk::Buffer handle() const { return *m_buffer; }
   vk::DeviceSize size() const { return m_size; }
-  std::byte* data() const { return m_mapped; }
+  std::byte* data() const { return m_memory.mapped(); }
 
 private:
   vk::DeviceSize m_size = 0;
-  vk::raii::DeviceMemory m_memory{nullptr};
+  Memory m_memory;
   vk::raii::Buffer m_buffer{nullptr};
-  std::byte* m_mapped = nullptr;
 };
 
 } // namespace parity::gpu

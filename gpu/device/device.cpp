@@ -157,6 +157,9 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   info.get<vk::PhysicalDeviceVulkan13Features>().maintenance4 = true; // a vertex output that no fragment shader reads
   info.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16 = m_report.float16;
   m_device = vk::raii::Device(m_physical, info.get<vk::DeviceCreateInfo>());
+  // A device's memory that is the host's goes back to the host at once.
+  constexpr vk::DeviceSize kMostKept = vk::DeviceSize{1} << 30;
+  m_memoryStore = std::make_unique<MemoryStore>(m_device, m_unifiedMemory ? 0 : kMostKept);
   m_queue = m_device.getQueue(m_queueFamily, 0);
   m_commandPool =
       vk::raii::CommandPool(m_device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient |
@@ -199,6 +202,11 @@ std::uint32_t Device::memoryType(std::uint32_t typeBits, vk::MemoryPropertyFlags
     for (std::uint32_t i = 0; i < m_memory.memoryTypeCount; ++i)
       if ((typeBits >> i & 1) && (m_memory.memoryTypes[i].propertyFlags & flags) == flags) return i;
   throw deviceError(m_report.name, "no memory type fits");
+}
+
+Memory Device::allocate(const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags wanted,
+                        vk::MemoryPropertyFlags preferred, bool isMapped) const {
+  return Memory(*m_memoryStore, needs.size, memoryType(needs.memoryTypeBits, wanted, preferred), isMapped);
 }
 
 void Device::submit(const std::string& stage, const std::function<void(const vk::raii::CommandBuffer&)>& record) const {

@@ -8,6 +8,7 @@
 
 #include "base/stopwatch.h"
 #include "gpu/device/device_report.h"
+#include "gpu/device/memory.h"
 #include "gpu/device/vulkan.h"
 
 namespace parity::gpu {
@@ -33,6 +34,9 @@ public:
   // Index of a memory type with all of `wanted` among `typeBits`, preferring `preferred` too. Throws Error (exit 4).
   std::uint32_t memoryType(std::uint32_t typeBits, vk::MemoryPropertyFlags wanted,
                            vk::MemoryPropertyFlags preferred) const;
+  // A block of memory of this kind, mapped where isMapped. Throws vk::SystemError, and Error (exit 4) as memoryType.
+  Memory allocate(const vk::MemoryRequirements& needs, vk::MemoryPropertyFlags wanted,
+                  vk::MemoryPropertyFlags preferred, bool isMapped) const;
   // Memory of the host for copies, of at least this size: the same until the next call.
   const HostBuffer& staging(vk::DeviceSize size) const;
   // Whether device-local memory can be mapped (CPU and integrated devices): then nothing is staged.
@@ -65,6 +69,7 @@ private:
   std::uint32_t m_queueFamily = 0;
   std::uint32_t m_timestampBits = 0;
   vk::raii::Device m_device{nullptr};
+  std::unique_ptr<MemoryStore> m_memoryStore;
   vk::raii::Queue m_queue{nullptr};
   vk::raii::CommandPool m_commandPool{nullptr};
   vk::raii::QueryPool m_queries{nullptr};

@@ -31,15 +31,12 @@ DeviceImage::DeviceImage(const Device& device, const Shape& shape) : m_shape(sha
   m_image = vk::raii::Image(device.handle(), info);
   const vk::MemoryRequirements needs = m_image.getMemoryRequirements();
   try {
-    m_memory = vk::raii::DeviceMemory(
-        device.handle(),
-        vk::MemoryAllocateInfo(needs.size,
-                               device.memoryType(needs.memoryTypeBits, {}, vk::MemoryPropertyFlagBits::eDeviceLocal)));
+    m_memory = device.allocate(needs, {}, vk::MemoryPropertyFlagBits::eDeviceLocal, false);
   } catch (const vk::SystemError& error) {
     throw base::Error(base::ExitCode::failed, device.report().name,
                       "image of " + std::to_string(shape.width) + "x" + std::to_string(shape.height), error.what());
   }
-  m_image.bindMemory(*m_memory, 0);
+  m_image.bindMemory(m_memory.handle(), 0);
   m_view = vk::raii::ImageView(device.handle(), vk::ImageViewCreateInfo({}, *m_image,
                                                                         shape.cube    ? vk::ImageViewType::eCubeArray
                                                                         : shape.array ? vk::ImageViewType::e2DArray

@@ -43,7 +43,7 @@ public:
 
 private:
   Shape m_shape;
-  vk::raii::DeviceMemory m_memory{nullptr};
+  Memory m_memory;
   vk::raii::Image m_image{nullptr};
   vk::raii::ImageView m_view{nullptr};
 };

@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "base/parallel.h"
 #include "shading/shading.h"
 #include "shading/terms.h"
 
@@ -224,35 +223,24 @@ struct ShadingPass::Impl {
     return constants;
   }
 
-  // Those that the bins need and the store lacks, at the same time: drivers take up to seconds for each, on one core.
-  void makePipelines(const std::vector<Bin>& bins) {
-    std::vector<std::vector<std::uint32_t>> missing;
-    for (const Bin& bin : bins)
-      if (auto constants = constantsOf(plan.of(kinds[bin.key].materialClass));
-          !store.find(program.spirv, constants) && std::ranges::find(missing, constants) == missing.end())
-        missing.push_back(std::move(constants));
-    if (missing.empty()) return;
-    const base::Stopwatch watch(device.timings(), "compile " + program.name);
-    std::vector<vk::raii::Pipeline> made;
-    for (std::size_t i = 0; i < missing.size(); ++i) made.emplace_back(nullptr);
-    base::parallelFor(missing.size(), 1, [&](std::size_t i, std::size_t) {
-      made[i] = makeComputePipeline(device, layout, program.spirv, missing[i]);
-    });
-    for (std::size_t i = 0; i < missing.size(); ++i) store.add(program.spirv, missing[i], std::move(made[i]));
-  }
-
-  // One that was made. entries: that it is wanted for.
+  // entries: that it is wanted for.
   vk::Pipeline pipelineFor(const MaterialClass& c, std::uint32_t entries) {
     const Permutation permutation = plan.of(c);
-    auto found =
+    const auto found =
         std::ranges::find(compiled, permutation, [](const CompiledPermutation& each) { return each.permutation; });
-    if (found == compiled.end()) {
-      const std::vector<std::uint32_t> constants = constantsOf(permutation);
-      pipelines.push_back(store.find(program.spirv, constants));
-      found = compiled.insert(compiled.end(), {permutation, constants, 0});
+    if (found != compiled.end()) {
+      found->entries += entries;
+      return pipelines[static_cast<std::size_t>(found - compiled.begin())];
     }
-    found->entries += entries;
-    return pipelines[static_cast<std::size_t>(found - compiled.begin())];
+    const std::vector<std::uint32_t> constants = constantsOf(permutation);
+    vk::Pipeline pipeline = store.find(program.spirv, constants);
+    if (!pipeline) {
+      const base::Stopwatch watch(device.timings(), "compile " + program.name);
+      pipeline = store.add(program.spirv, constants, makeComputePipeline(device, layout, program.spirv, constants));
+    }
+    pipelines.push_back(pipeline);
+    compiled.push_back({permutation, constants, entries});
+    return pipeline;
   }
 
   ShadedSurface shade(const Surface& surface, const scenes::Camera& camera);
@@ -282,7 +270,6 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   }
   planFor(surface);
   bindTextures(surface);
-  makePipelines(surface.bins);
   const DescriptorSets set(device, surfaceLayout, std::span(&bindings, 1));
 
   device.submit("shade " + program.name, [&](const vk::raii::CommandBuffer& commands) {

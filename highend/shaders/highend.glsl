@@ -54,6 +54,7 @@ struct Shader {
   float anisotropy;     // 0: none
   float perceptual;     // the material's roughness, which alpha along T and B come from
   float film, filmIor, filmThickness; // film 0: none
+  bool sumsAtRim; // the environment by a sum where the lobe is seen at a grazing angle (reflection.glsl)
   vec3 left; // what the specular lobe leaves to the diffuse one and to what passes through
 #endif
 };
@@ -112,6 +113,7 @@ Shader makeShader(Point p, Resolved m) {
   s.film = m.iridescence;
   s.filmIor = m.filmIor;
   s.filmThickness = m.filmThickness;
+  s.sumsAtRim = hasFilm(s) || ((kMayFeatures & kFeatureTransmission) != 0u && m.transmission > 0.0);
   s.left = vec3(1.0);
   s.diffuseColor *= (1.0 - m.transmission) * (1.0 - m.diffuseTransmission);
   if (isAnisotropic(s)) { // of the round lobe that loses about as much between its facets (docs/shading.md 11e)
@@ -301,13 +303,14 @@ void main() {
   }
   if (hasEnvironment()) {
     if ((kBaked & kBakedCaptures) != 0u) s.captures = captureBlendAt(p.position);
-#ifdef PARITY_LOBES
-    addLayersReflection(layers, s, view.skyLightColor.xyz * m.occlusion);
-#endif
     vec3 irradianceOverPi = hasLightmap(i) ? vec3(0.0) : skyIrradianceOverPi(s.N); // the sky is in the lightmap
     vec3 scale = view.skyLightColor.xyz * m.occlusion;
     terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * scale;
+#ifdef PARITY_LOBES
+    vec3 reflected = addLayersReflection(layers, s, scale);
+#else
     vec3 reflected = reflectedLight(s);
+#endif
     show(kViewSpecularIBL, reflected / max(s.single, vec3(1e-6)) * scale);
     terms.t[kTermSkySpecular] = (reflected + irradianceOverPi * s.multiple) * scale;
   }

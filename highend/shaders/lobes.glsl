@@ -14,9 +14,6 @@ struct Layers {
 
 // Below this roughness the lobe is so narrow that it takes many points.
 const float kSmoothSheen = 0.25;
-// The coat's lobe is a sum up to the first N.V and read as the base's from the second one on. It is read below the first
-// roughness, too, and a sum from the second one on: reads of a mirror are exact.
-const vec2 kSumToRead = vec2(0.3, 0.4), kMirrorToSum = vec2(0.02, 0.04);
 const float kCoatF0 = 0.04; // KHR_materials_clearcoat: an index of refraction of 1.5
 
 // Directional albedo of the sheen's lobe at sheenColor 1.
@@ -29,6 +26,7 @@ Shader makeCoat(Shader base, Resolved m) {
   Shader c = base;
   c.N = m.coatNormal;
   c.anisotropy = c.film = 0.0;
+  c.sumsAtRim = true; // Fresnel's reflectance is high there
   c.NoV = clamp(dot(c.N, c.V), kMinNoV, 1.0);
   c.roughness = c.perceptual = m.coatRoughness;
   c.alpha = sqr(max(m.coatRoughness, kMinLightRoughness));
@@ -109,29 +107,25 @@ vec3 reflectedBySheen(Layers l, Shader base) {
   return sum;
 }
 
-// The environment by the coat. Where it is seen at a grazing angle, Fresnel's reflectance is high and the lobe is far from
-// round: there it is a sum over directions, as of an anisotropic lobe, unless the knob off-specular asks for less.
-vec3 reflectedByCoat(Shader coat) {
-  if (kOffSpecular != kOffSpecularThreeTaps) return reflectedLight(coat);
-  float summed = (1.0 - smoothstep(kSumToRead.x, kSumToRead.y, coat.NoV)) *
-                 smoothstep(kMirrorToSum.x, kMirrorToSum.y, coat.roughness);
-  vec3 read = vec3(0.0), sum = vec3(0.0);
-  if (summed < 1.0) read = reflectedLight(coat);
-  if (summed > 0.0) {
-    coat.T = safeNormalize(coat.V - dot(coat.N, coat.V) * coat.N, coat.T);
-    coat.B = cross(coat.N, coat.T);
-    sum = summedReflection(coat);
-  }
-  return mix(read, sum, summed);
-}
-
-// base: with its captures. scale: of the sky's light.
-void addLayersReflection(inout Layers l, Shader base, vec3 scale) {
-  if ((kMayFeatures & kFeatureCoat) != 0u) {
-    l.coat.captures = base.captures;
-    l.coatReflected = reflectedByCoat(l.coat) * scale;
+// Returns what the base reflects of the environment, before `scale`, which is of the sky's light. base: with its captures. The
+// coat's reflection takes the same place in the shader: a driver's compiler takes long for each.
+vec3 addLayersReflection(inout Layers l, Shader base, vec3 scale) {
+  vec3 ofBase = vec3(0.0);
+  int count = (kMayFeatures & kFeatureCoat) != 0u && l.coatShare > 0.0 ? 2 : 1;
+  for (int k = 0; k < count; ++k) {
+    Shader each = base;
+    if (k == 1) {
+      each = l.coat;
+      each.captures = base.captures;
+    }
+    vec3 reflected = reflectedLight(each);
+    if (k == 0)
+      ofBase = reflected;
+    else
+      l.coatReflected = reflected * scale;
   }
   if ((kMayFeatures & kFeatureSheen) != 0u) l.sheenReflected = l.sheenColor * reflectedBySheen(l, base) * scale;
+  return ofBase;
 }
 
 // With a lightmap captures follow it, as the base's reflections do.

@@ -130,16 +130,9 @@ vec3 lampDifference(Shader s, vec3 R, Read reads[kMaxTaps], float tail, vec3 rad
   return sum * tail;
 }
 
-#ifdef PARITY_LOBES
-#include "highend/shaders/summed_reflection.glsl"
-#endif
-
-// Radiance of what the lobe scatters once. What is sharper than any level is a core, read once in the mirror direction,
-// and the tail that the levels have.
-vec3 reflectedLight(Shader s) {
-#ifdef PARITY_LOBES
-  if (isAnisotropic(s)) return summedReflection(s);
-#endif
+// By reads about the lobe. What is sharper than any level is a core, read once in the mirror direction, and the tail that the
+// levels have.
+vec3 readReflection(Shader s) {
   vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
   float mip = unclampedMip(s.roughness), tail = 1.0;
   vec3 radiance = vec3(0.0);
@@ -157,4 +150,31 @@ vec3 reflectedLight(Shader s) {
   }
   if (kLamps == 0u) return radiance * s.single;
   return max(radiance * s.single + lampDifference(s, R, reads, tail, radiance), 0.0);
+}
+
+#ifdef PARITY_LOBES
+#include "highend/shaders/summed_reflection.glsl"
+
+// A lobe that sums at the rim is a sum up to the first N.V, and read from the second one on. Below the first roughness it is
+// read everywhere, as reads of a mirror are exact; from the second one on it sums.
+const vec2 kSumToRead = vec2(0.3, 0.4), kMirrorToSum = vec2(0.02, 0.04);
+
+float shareOfSum(Shader s) {
+  if (isAnisotropic(s)) return 1.0;
+  if (!s.sumsAtRim || kOffSpecular != kOffSpecularThreeTaps) return 0.0;
+  return (1.0 - smoothstep(kSumToRead.x, kSumToRead.y, s.NoV)) * smoothstep(kMirrorToSum.x, kMirrorToSum.y, s.roughness);
+}
+#endif
+
+// Radiance of what the lobe scatters once.
+vec3 reflectedLight(Shader s) {
+#ifdef PARITY_LOBES
+  float share = shareOfSum(s);
+  vec3 read = vec3(0.0), sum = vec3(0.0);
+  if (share < 1.0) read = readReflection(s);
+  if (share > 0.0) sum = summedReflection(s);
+  return mix(read, sum, share);
+#else
+  return readReflection(s);
+#endif
 }

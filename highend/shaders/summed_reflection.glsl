@@ -1,4 +1,4 @@
-// The environment by a lobe far from round, that of an anisotropic surface or of a coat at a grazing angle: a sum over
+// The environment by a lobe far from round, that of an anisotropic surface or of any at a grazing angle: a sum over
 // directions of the lobe, each a read of the prefiltered level that is as wide as the part of the lobe for which it stands
 // (Krivanek and Colbert 2008, "Real-Time Shading with Filtered Importance Sampling"), or of the panorama's cells for smaller
 // parts. Lamps that neither holds are lights.
@@ -59,6 +59,10 @@ vec3 compactLampsInSum(Shader s, LobeSampling q) {
 }
 
 vec3 summedReflection(Shader s) {
+  if (!isAnisotropic(s)) { // any tangent does
+    s.T = safeNormalize(s.V - dot(s.N, s.V) * s.N, s.T);
+    s.B = cross(s.N, s.T);
+  }
   vec2 alpha = alphasOf(s, kLeastAlpha);
   int count = alpha.y < kSharpAlpha ? kSharpImagePoints : kImagePoints;
   LobeSampling q = lobeSampling(s, alpha, count);

@@ -25,6 +25,7 @@ Shader makePassing(Shader base, vec3 N, vec3 V, float roughness) {
   s.V = V;
   s.NoV = clamp(dot(N, V), kMinNoV, 1.0);
   s.anisotropy = s.film = 0.0;
+  s.sumsAtRim = false;
   s.roughness = roughness;
   s.alpha = sqr(max(roughness, kMinLightRoughness));
   s.diffuseColor = vec3(0.0);
