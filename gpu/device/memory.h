@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <tuple>
 #include <utility>
@@ -22,18 +21,22 @@ public:
     std::byte* mapped = nullptr; // as long as the block lives; null where it is not mapped
   };
 
-  // mostKept: bytes that are kept at most; 0: nothing is.
+  // mostKept: bytes that are kept at most; what is kept goes where more would be. 0: nothing is kept.
   MemoryStore(const vk::raii::Device& device, vk::DeviceSize mostKept) : m_device(device), m_mostKept(mostKept) {}
 
-  // A block of exactly this size; its content is undefined. Throws vk::SystemError.
+  // A block of exactly this size; its content is undefined. Where the device has no more, what is kept goes first.
+  // Throws vk::SystemError.
   Block take(vk::DeviceSize size, std::uint32_t type, bool isMapped);
-  void giveBack(vk::DeviceSize size, std::uint32_t type, Block block);
-  vk::DeviceSize kept() const { return m_kept; } // bytes
+  void giveBack(vk::DeviceSize size, std::uint32_t type, Block block) noexcept;
+  vk::DeviceSize kept() const; // bytes
 
 private:
   const vk::raii::Device& m_device;
-  vk::DeviceSize m_mostKept, m_kept = 0;
-  std::mutex m_mutex;
+  void drop();
+
+  const vk::DeviceSize m_mostKept;
+  vk::DeviceSize m_kept = 0;
+  mutable std::mutex m_mutex;
   std::map<std::tuple<vk::DeviceSize, std::uint32_t, bool>, std::vector<Block>> m_blocks; // size, type, mapped
 };
 

@@ -54,7 +54,7 @@ struct Shader {
   float anisotropy;     // 0: none
   float perceptual;     // the material's roughness, which alpha along T and B come from
   float film, filmIor, filmThickness; // film 0: none
-  bool sumsAtRim; // the environment by a sum where the lobe is seen at a grazing angle (reflection.glsl)
+  float sumAtRim; // share of a sum in what is reflected of the environment at a grazing angle (reflection.glsl)
   vec3 left; // what the specular lobe leaves to the diffuse one and to what passes through
 #endif
 };
@@ -113,7 +113,10 @@ Shader makeShader(Point p, Resolved m) {
   s.film = m.iridescence;
   s.filmIor = m.filmIor;
   s.filmThickness = m.filmThickness;
-  s.sumsAtRim = hasFilm(s) || ((kMayFeatures & kFeatureTransmission) != 0u && m.transmission > 0.0);
+  s.sumAtRim = 0.0; // no step where a texture of films or transmission begins
+  if ((kMayFeatures & kFeatureIridescence) != 0u) s.sumAtRim = smoothstep(0.0, 0.1, s.film);
+  if ((kMayFeatures & kFeatureTransmission) != 0u)
+    s.sumAtRim = max(s.sumAtRim, smoothstep(0.0, 0.1, m.transmission * (1.0 - m.metallic)));
   s.left = vec3(1.0);
   s.diffuseColor *= (1.0 - m.transmission) * (1.0 - m.diffuseTransmission);
   if (isAnisotropic(s)) { // of the round lobe that loses about as much between its facets (docs/shading.md 11e)

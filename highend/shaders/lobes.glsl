@@ -26,7 +26,7 @@ Shader makeCoat(Shader base, Resolved m) {
   Shader c = base;
   c.N = m.coatNormal;
   c.anisotropy = c.film = 0.0;
-  c.sumsAtRim = true; // Fresnel's reflectance is high there
+  c.sumAtRim = 1.0; // Fresnel's reflectance is high there
   c.NoV = clamp(dot(c.N, c.V), kMinNoV, 1.0);
   c.roughness = c.perceptual = m.coatRoughness;
   c.alpha = sqr(max(m.coatRoughness, kMinLightRoughness));
@@ -107,8 +107,8 @@ vec3 reflectedBySheen(Layers l, Shader base) {
   return sum;
 }
 
-// Returns what the base reflects of the environment, before `scale`, which is of the sky's light. base: with its captures. The
-// coat's reflection takes the same place in the shader: a driver's compiler takes long for each.
+// Returns what the base reflects of the environment, before `scale`, which is of the sky's light. base: with its
+// captures. One place in the shader for the base and the coat: a driver's compiler takes long for each.
 vec3 addLayersReflection(inout Layers l, Shader base, vec3 scale) {
   vec3 ofBase = vec3(0.0);
   int count = (kMayFeatures & kFeatureCoat) != 0u && l.coatShare > 0.0 ? 2 : 1;

@@ -130,8 +130,8 @@ vec3 lampDifference(Shader s, vec3 R, Read reads[kMaxTaps], float tail, vec3 rad
   return sum * tail;
 }
 
-// By reads about the lobe. What is sharper than any level is a core, read once in the mirror direction, and the tail that the
-// levels have.
+// By reads about the lobe. What is sharper than any level is a core, read once in the mirror direction, and the tail
+// that the levels have.
 vec3 readReflection(Shader s) {
   vec3 R = 2.0 * dot(s.N, s.V) * s.N - s.V;
   float mip = unclampedMip(s.roughness), tail = 1.0;
@@ -155,14 +155,15 @@ vec3 readReflection(Shader s) {
 #ifdef PARITY_LOBES
 #include "highend/shaders/summed_reflection.glsl"
 
-// A lobe that sums at the rim is a sum up to the first N.V, and read from the second one on. Below the first roughness it is
-// read everywhere, as reads of a mirror are exact; from the second one on it sums.
+// A lobe with a sum at the rim is a sum up to the first N.V, and read from the second one on. Up to the first roughness it
+// is read everywhere, since reads of a mirror are exact.
 const vec2 kSumToRead = vec2(0.3, 0.4), kMirrorToSum = vec2(0.02, 0.04);
 
 float shareOfSum(Shader s) {
   if (isAnisotropic(s)) return 1.0;
-  if (!s.sumsAtRim || kOffSpecular != kOffSpecularThreeTaps) return 0.0;
-  return (1.0 - smoothstep(kSumToRead.x, kSumToRead.y, s.NoV)) * smoothstep(kMirrorToSum.x, kMirrorToSum.y, s.roughness);
+  if (s.sumAtRim <= 0.0 || kOffSpecular != kOffSpecularThreeTaps) return 0.0;
+  return s.sumAtRim * (1.0 - smoothstep(kSumToRead.x, kSumToRead.y, s.NoV)) *
+         smoothstep(kMirrorToSum.x, kMirrorToSum.y, s.roughness);
 }
 #endif
 

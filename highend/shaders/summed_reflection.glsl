@@ -1,27 +1,33 @@
 // The environment by a lobe far from round, that of an anisotropic surface or of any at a grazing angle: a sum over
-// directions of the lobe, each a read of the prefiltered level that is as wide as the part of the lobe for which it stands
-// (Krivanek and Colbert 2008, "Real-Time Shading with Filtered Importance Sampling"), or of the panorama's cells for smaller
-// parts. Lamps that neither holds are lights.
+// directions of the lobe, each a read of the prefiltered level that is as wide as the part of the lobe for which it
+// stands (Krivanek and Colbert 2008, "Real-Time Shading with Filtered Importance Sampling"). Where no level is as sharp,
+// it is a read of the panorama's cells. Lamps that neither holds are lights.
 
-// Directions of one sum: of a lobe that is sharp across the tangent, many.
+// Directions of one sum: of a lobe of small alpha, many.
 const int kImagePoints = 128, kSharpImagePoints = 512;
 const float kSharpAlpha = 0.005;
-// Solid angle of a point over alpha^2 of its level, whose lobe has its peak, 1 / (4 pi alpha^2), over 4 pi of it. Sharper levels
-// are less blurred, but show gaps between the points where a lamp is small. A stretched lobe, whose points are far apart along
-// the tangent, gains more by the former (docs/shading.md 11).
+// A level of alpha has its peak 1 / (4 pi alpha^2), so it stands for a solid angle of 4 pi alpha^2. An anisotropic lobe
+// takes sharper levels: its points lie far apart along the tangent, and wide levels would blur it across
+// (docs/shading.md 11h).
 float solidAngleOfLevel(Shader s) { return isAnisotropic(s) ? 18.0 : 4.0 * kPi; }
 
-// Whether this solid angle is read from the panorama's cells, which hold all lamps: no level is as sharp.
-bool isReadFromCells(Shader s, float solidAngle) {
-  return kPanorama != 0u && (kBaked & kBakedCaptures) == 0u &&
-         solidAngle < solidAngleOfLevel(s) * sqr(sqr(roughnessFromMip(kSharpestPrefilteredMip)));
+// Share of the panorama's cells in what is read of this solid angle; levels have the rest. The cells hold all lamps.
+float shareOfCells(Shader s, float solidAngle) {
+  if (kPanorama == 0u || (kBaked & kBakedCaptures) != 0u) return 0.0;
+  float sharpest = solidAngleOfLevel(s) * sqr(sqr(roughnessFromMip(kSharpestPrefilteredMip)));
+  return 1.0 - smoothstep(0.7 * sharpest, 1.4 * sharpest, solidAngle);
 }
 
 // Mean radiance of about this solid angle.
 vec3 radianceOfPoint(Shader s, vec3 direction, float solidAngle) {
-  if (isReadFromCells(s, solidAngle)) return panoramaMean(direction, sqrt(solidAngle));
-  float mip = min(unclampedMip(sqrt(sqrt(solidAngle / solidAngleOfLevel(s)))), float(kPrefilterRoughestMip));
-  return imageRadiance(s, direction, mip);
+  float cells = shareOfCells(s, solidAngle);
+  vec3 ofCells = vec3(0.0), ofLevels = vec3(0.0);
+  if (cells > 0.0) ofCells = panoramaMean(direction, sqrt(solidAngle));
+  if (cells < 1.0) {
+    float mip = min(unclampedMip(sqrt(sqrt(solidAngle / solidAngleOfLevel(s)))), float(kPrefilterRoughestMip));
+    ofLevels = imageRadiance(s, direction, mip);
+  }
+  return mix(ofLevels, ofCells, cells);
 }
 
 // Mean over a light of this spread: to second order that of a lobe wider by what half vectors turn (meanOfGgx).
@@ -34,7 +40,7 @@ vec3 lampInSum(Shader s, vec3 L, float spread) {
   return scatteredAnisotropic(s, sqrt(min(alpha * alpha + turned, vec2(1.0))), L);
 }
 
-// Of the compact lamps, which are the first. Where the points about a lamp are read from cells, these hold it.
+// Of the compact lamps, which are the first. What the points about a lamp read of cells has it already.
 vec3 compactLampsInSum(Shader s, LobeSampling q) {
   vec3 sum = vec3(0.0);
   vec4 lost = kCompensation == kCompensationKullaConty ? lostAt(s) : vec4(0.0);
@@ -46,8 +52,7 @@ vec3 compactLampsInSum(Shader s, LobeSampling q) {
     bool isLeaf = (next & kLampIsLeaf) != 0u;
     if (isLeaf) {
       float density = densityOf(q, safeNormalize(q.v + toLocal(s, place.xyz), q.v));
-      bool isHeld = isReadFromCells(s, 1.0 / max(density, 1e-12));
-      vec3 scattered = isHeld ? vec3(0.0) : lampInSum(s, place.xyz, place.w);
+      vec3 scattered = lampInSum(s, place.xyz, place.w) * (1.0 - shareOfCells(s, 1.0 / max(density, 1e-12)));
       float NoL = max(dot(s.N, place.xyz), 0.0);
       if (kCompensation == kCompensationKullaConty) // from the irradiance to its own lobe
         scattered += s.multiple * (NoL * (kullaContyLobe(1.0 - lostOf(lost, NoL), s.Eavg) - Fd_Lambert()));

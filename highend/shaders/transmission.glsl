@@ -25,7 +25,7 @@ Shader makePassing(Shader base, vec3 N, vec3 V, float roughness) {
   s.V = V;
   s.NoV = clamp(dot(N, V), kMinNoV, 1.0);
   s.anisotropy = s.film = 0.0;
-  s.sumsAtRim = false;
+  s.sumAtRim = 0.0;
   s.roughness = roughness;
   s.alpha = sqr(max(roughness, kMinLightRoughness));
   s.diffuseColor = vec3(0.0);
@@ -77,15 +77,17 @@ const float kWorthFollowing = 0.01;
 
 vec3 environmentOf(Shader passing) { return hasEnvironment() ? reflectedLight(passing) : vec3(0.0); }
 
-// Where light leaves a body: the lobe about a direction. It may be longer along `step`, in the plane of incidence: then it is
-// read three times, in the middle and a step to both sides.
+// Where light leaves a body: the lobe about a direction. A lobe that is longer in the plane of incidence is read three
+// times: in the middle, and a step to both sides.
 struct Leaving {
-  vec3 direction, step; // unit; 0: one read
-  float alpha;          // of each read
+  vec3 direction; // unit
+  vec3 step;      // to the other two reads; 0: there are none
+  float alpha;    // of each read
 };
 
-// across, along: alpha across the plane of incidence, and in it, where `normal` lies, too. Each read is wider by a share of what the
-// lobe is longer; share and distance are fitted against the truth. One where the lobe is about round.
+// across, along: alpha across the plane of incidence, and in it, where `normal` lies, too. Each read is wider by a share
+// of what the lobe is longer. Share and distance are fitted against the truth. There is one read where the lobe is about
+// round.
 Leaving leavingAlong(vec3 direction, vec3 normal, float across, float along) {
   float longer = sqrt(max(sqr(along) - sqr(across), 0.0));
   if (longer <= 0.2 * across) return Leaving(direction, vec3(0.0), sqrt(across * along));

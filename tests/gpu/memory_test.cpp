@@ -1,6 +1,10 @@
-// Blocks of memory are kept for the next of the same kind, up to a limit, and never for another kind.
+// Blocks of memory are kept for the next of the same size and kind, up to a limit.
 #include "support/device.h"
 
+#include <cstring>
+
+#include "base/error.h"
+#include "base/parallel.h"
 #include "gpu/device/memory.h"
 
 namespace parity::gpu {
@@ -40,7 +44,7 @@ TEST_F(MemoryTest, ABlockServesTheNextOfItsKind) {
 TEST_F(MemoryTest, NoMoreThanTheLimitIsKept) {
   MemoryStore store(device().handle(), 5000), none(device().handle(), 0);
   { const Memory a(store, 4096, type(), false), b(store, 4096, type(), false), c(none, 4096, type(), false); }
-  EXPECT_EQ(store.kept(), 4096u);
+  EXPECT_EQ(store.kept(), 4096u); // the second dropped the first
   EXPECT_EQ(none.kept(), 0u);
 }
 
@@ -56,6 +60,26 @@ TEST_F(MemoryTest, AMovedBlockIsGivenBackOnce) {
     EXPECT_EQ(assigned.mapped(), mapped);
   }
   EXPECT_EQ(store.kept(), 4096u + 2048u);
+}
+
+// A device has no block of this size; what is kept goes, and the error remains that of the device.
+TEST_F(MemoryTest, WhatIsKeptGoesWhereTheDeviceHasNoMore) {
+  MemoryStore store(device().handle(), 1 << 20);
+  { const Memory kept(store, 4096, type(), false); }
+  ASSERT_EQ(store.kept(), 4096u);
+  EXPECT_THROW(store.take(vk::DeviceSize{1} << 60, type(), false), vk::SystemError);
+  EXPECT_EQ(store.kept(), 0u);
+  EXPECT_THROW(device().checkValidation(), base::Error); // the layer has noticed
+}
+
+TEST_F(MemoryTest, ThreadsShareAStore) {
+  MemoryStore store(device().handle(), 1 << 20);
+  base::parallelFor(64, 1, [&](std::size_t i, std::size_t) {
+    const Memory memory(store, 1024 * (1 + i % 3), type(), true);
+    std::memset(memory.mapped(), static_cast<int>(i), 1024);
+    EXPECT_EQ(memory.mapped()[1023], static_cast<std::byte>(i));
+  });
+  EXPECT_LE(store.kept(), 64u * 3 * 1024);
 }
 
 } // namespace

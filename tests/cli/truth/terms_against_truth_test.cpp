@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
                              "builtin:lobes",
                              {"--env", "builtin:studio"},
                              {{Term::skyDiffuse, 0.002},
-                              {Term::skySpecular, 0.035},
+                              {Term::skySpecular, 0.015},
                               {Term::emissive, 1e-3},
                               {Term::coatSpecular, 0.012},
                               {Term::sheen, 0.02},
