@@ -31,16 +31,16 @@ public:
   vk::DeviceSize kept() const; // bytes
 
 private:
-  const vk::raii::Device& m_device;
-  void drop();
+  void drop(); // all that is kept; under the lock
 
+  const vk::raii::Device& m_device;
   const vk::DeviceSize m_mostKept;
   vk::DeviceSize m_kept = 0;
   mutable std::mutex m_mutex;
   std::map<std::tuple<vk::DeviceSize, std::uint32_t, bool>, std::vector<Block>> m_blocks; // size, type, mapped
 };
 
-// A block of a store, which gets it back when this ends.
+// A block of a store, which gets it back when this ends. Buffers and images end before their memory.
 class Memory {
 public:
   Memory() = default;

@@ -64,7 +64,7 @@ TEST_F(MemoryTest, AMovedBlockIsGivenBackOnce) {
 
 // A device has no block of this size; what is kept goes, and the error remains that of the device.
 TEST_F(MemoryTest, WhatIsKeptGoesWhereTheDeviceHasNoMore) {
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "the sanitizer ends a software device that asks the host for so much";
 #endif
   MemoryStore store(device().handle(), 1 << 20);
