@@ -53,11 +53,12 @@ bool serves(const Permutation& p, const MaterialClass& c) {
 } // namespace
 
 Permutation everyScenePermutation(std::uint32_t textures) {
-  const bool lobes = (textures & kLobeTextures) != 0;
-  return {textures,
-          kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend |
-              (lobes ? kFeatureLobes | kFeatureVolume : 0u),
-          0, true};
+  return {textures & ~kLobeTextures, kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend, 0, true};
+}
+
+PermutationBudget PermutationBudget::withLobes() const {
+  // Two: glass, and what is seen through it.
+  return shares ? PermutationBudget{.own = std::max<std::size_t>(own, 2)} : *this;
 }
 
 PermutationBudget shareOf(std::size_t scene, std::size_t sceneCount) {

@@ -18,7 +18,7 @@ struct Permutation {
   bool everyScene = false; // it asks at run time for lights, environment and vertex data, too: any scene's materials
   auto operator<=>(const Permutation&) const = default;
 };
-// Does everything: at most this many textures' bits (SceneBuffers::textureBits).
+// Does everything but lobes: at most this many textures' bits (SceneBuffers::textureBits).
 Permutation everyScenePermutation(std::uint32_t textures);
 
 struct ClassPixels {
@@ -36,6 +36,10 @@ struct PermutationBudget {
   std::size_t own = kMaxPermutations; // made for its materials
   bool shares = false; // materials without one of their own take that of every scene, which counts once a run
   bool operator==(const PermutationBudget&) const = default;
+
+  // Of a scene that is shaded with lobes (PARITY_LOBES of path.glsl): it shares none. A shader with every lobe of every
+  // scene takes some 8 s to compile, those of the lobes that a scene has 1 to 2 s.
+  PermutationBudget withLobes() const;
 };
 // Of the scene at this place among so many: all are dealt out evenly; among more scenes than there are permutations one
 // is every scene's. It depends on nothing that the scenes hold, so no scene's picture depends on another scene.

@@ -13,6 +13,7 @@ namespace parity::gpu {
 namespace {
 
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
+constexpr std::size_t kConstantTerms = 6; // kWriteTerms of path.glsl
 
 struct Push {
   std::uint32_t first = 0, count = 0, planeSize = 0, firstGroup = 0;
@@ -59,6 +60,12 @@ std::vector<Textures::Need> texturesOf(std::span<const Bin> bins, std::span<cons
   std::vector<Textures::Need> needs;
   for (const Bin& bin : bins) needs.push_back(needOf(kinds[bin.key]));
   return needs;
+}
+
+std::vector<std::uint32_t> CompiledPermutation::constantsWithoutTerms() const {
+  std::vector<std::uint32_t> all = constants;
+  all.at(kConstantTerms) = 0;
+  return all;
 }
 
 GpuLight packLight(const scenes::Light& light, const ShadowOfLight& shadow) {
@@ -116,12 +123,12 @@ struct ShadingPass::Impl {
   vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
   std::vector<std::unique_ptr<DescriptorSets>> textureSets; // of each kind of bin that was seen
   vk::raii::PipelineLayout layout{nullptr};
-  PermutationPlan plan;
+  bool shadesLobes;
+  std::shared_ptr<PermutationPlan> plan;
   std::vector<CompiledPermutation> compiled;
   std::vector<vk::Pipeline> pipelines; // of those, in the store
   PipelineStore ownStore;
   PipelineStore& store;
-  bool shadesLobes;
 
   Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
       : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
@@ -130,9 +137,13 @@ struct ShadingPass::Impl {
         lights(dev, std::span<const GpuLight>(program.lights)),
         pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), nothing(dev, 0),
         nothingUniform(dev, std::span<const std::byte>(std::vector<std::byte>(kLargestUniform))),
-        plan(program.compilation.budget, buffers.textureBits(), classesOf(kinds)),
-        store(program.compilation.store ? *program.compilation.store : ownStore),
-        shadesLobes(buffers.hasLobes() && !program.spirvOfLobes.empty()) {
+        shadesLobes(buffers.hasLobes() && !program.spirvOfLobes.empty()),
+        plan(program.compilation.plan
+                 ? program.compilation.plan
+                 : std::make_shared<PermutationPlan>(shadesLobes ? program.compilation.budget.withLobes()
+                                                                 : program.compilation.budget,
+                                                     buffers.textureBits(), classesOf(kinds))),
+        store(program.compilation.store ? *program.compilation.store : ownStore) {
     if (shadesLobes) program.spirv = program.spirvOfLobes;
     const auto none = textures().bindings({});
     textureLayout = makeSetLayout(device, std::vector<Binding>(none.begin(), none.end()), kCompute);
@@ -193,13 +204,13 @@ struct ShadingPass::Impl {
   void planFor(const Surface& surface) {
     std::map<MaterialClass, std::uint64_t> pixels;
     for (const Bin& bin : surface.bins)
-      if (const MaterialClass& c = kinds[bin.key].materialClass; !plan.has(c)) pixels[c] += bin.count;
+      if (const MaterialClass& c = kinds[bin.key].materialClass; !plan->has(c)) pixels[c] += bin.count;
     const double scale =
         std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(surface.size()));
     std::vector<ClassPixels> classes;
     for (const auto& [c, count] : pixels)
       classes.push_back({c, static_cast<std::uint64_t>(static_cast<double>(count) * scale)});
-    plan.add(std::move(classes));
+    plan->add(std::move(classes));
   }
 
   std::vector<std::uint32_t> constantsOf(const Permutation& permutation) const {
@@ -225,7 +236,7 @@ struct ShadingPass::Impl {
 
   // entries: that it is wanted for.
   vk::Pipeline pipelineFor(const MaterialClass& c, std::uint32_t entries) {
-    const Permutation permutation = plan.of(c);
+    const Permutation permutation = plan->of(c);
     const auto found =
         std::ranges::find(compiled, permutation, [](const CompiledPermutation& each) { return each.permutation; });
     if (found != compiled.end()) {
@@ -313,6 +324,7 @@ std::vector<std::uint32_t> ShadingPass::exactConstants(const MaterialClass& c) c
 }
 const std::vector<CompiledPermutation>& ShadingPass::compiled() const { return m_impl->compiled; }
 Spirv ShadingPass::spirv() const { return m_impl->program.spirv; }
+std::shared_ptr<PermutationPlan> ShadingPass::plan() const { return m_impl->plan; }
 std::uint32_t ShadingPass::directionalCount() const { return m_impl->program.directionalCount; }
 std::uint32_t ShadingPass::localCount() const { return m_impl->program.localCount; }
 

@@ -39,7 +39,8 @@ struct EnvironmentMaps {
 // What a scene may compile, and what its run has compiled already.
 struct Compilation {
   PermutationBudget budget;
-  PipelineStore* store = nullptr; // of the run; null: the pass has its own
+  PipelineStore* store = nullptr;                  // of the run; null: the pass has its own
+  std::shared_ptr<PermutationPlan> plan = nullptr; // of another pass of the scene and path; null: a new one
 };
 
 // What a path brings along. Referenced objects must outlive the pass.
@@ -84,6 +85,9 @@ struct CompiledPermutation {
   Permutation permutation;
   std::vector<std::uint32_t> constants; // all specialization constants, from 0
   std::uint64_t entries = 0;            // of surfaces, shaded by it
+
+  // Those of the shader that writes no terms: what an engine would run.
+  std::vector<std::uint32_t> constantsWithoutTerms() const;
 };
 
 class ShadingPass {
@@ -106,6 +110,8 @@ public:
   // In order of their first use.
   const std::vector<CompiledPermutation>& compiled() const;
   Spirv spirv() const;
+  // For another pass of the scene and path, so that it needs the same shaders.
+  std::shared_ptr<PermutationPlan> plan() const;
   // Lights that its shaders loop over.
   std::uint32_t directionalCount() const;
   std::uint32_t localCount() const;

@@ -41,7 +41,7 @@ std::vector<report::PermutationResult> describePermutations(Context& context, co
                   compiled[i].entries,
                   renderer.countSamplers(permutation),
                   std::nullopt};
-    if (context.settings().costs) results[i].cost = costOf(context, pass.spirv(), compiled[i].constants);
+    if (context.settings().costs) results[i].cost = costOf(context, pass.spirv(), compiled[i].constantsWithoutTerms());
   });
   return results;
 }

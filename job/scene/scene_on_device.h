@@ -25,6 +25,7 @@ public:
     std::uint32_t hiddenFeatures = 0; // lobes to leave out
     std::uint64_t expectedPixels = 0;
     gpu::PermutationBudget budget{};
+    const paths::Renderer* like = nullptr; // another of the path, whose shaders it should need; null: none
   };
   // options: the path's own, and those of other paths. What renderers share is uploaded once. They must not outlive
   // this.

@@ -18,6 +18,13 @@ std::uint64_t pixelsOf(const Settings& settings, std::size_t views) {
   return static_cast<std::uint64_t>(settings.width) * settings.height * settings.samples * views;
 }
 
+// Tiles of a picture times samples of a pixel.
+std::size_t partsOf(const Settings& settings) {
+  return gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height))
+             .size() *
+         static_cast<std::size_t>(settings.samples);
+}
+
 // Entries of surfaces that wait to be shaded again: two of each pixel of a tile.
 constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
 
@@ -34,9 +41,13 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
   }
   m_mayDropLights = mayDropLights();
   m_mayDropLobes = mayDropLobes();
+  m_mayAddTerms = paths.compares() && !settings.terms && settings.attribution == Attribution::overBudget;
+  // To write the terms takes a shader a third longer: less than to compile another one, and to shade again what is over
+  // budget. Pictures in several parts would have to keep too much.
+  m_shadesTerms = settings.terms || (m_mayAddTerms && paths.intermediate == 0 && partsOf(settings) == 1);
   for (const paths::Path* path : paths.chosen)
     m_paths.push_back({path,
-                       makeRenderer(*path, {.terms = settings.terms, .intermediate = paths.intermediate}, views),
+                       makeRenderer(*path, {.terms = m_shadesTerms, .intermediate = paths.intermediate}, views),
                        {},
                        {},
                        {},
@@ -44,7 +55,8 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
                        {}});
   for (std::size_t i = 1; i < m_paths.size(); ++i) // those that are compared with the first
     if (m_scene.hasOwnTextures(*m_paths[i].path, settings.options))
-      m_paths[i].ofOriginals = makeRenderer(*m_paths[i].path, {.originalTextures = true}, views);
+      m_paths[i].ofOriginals = makeRenderer(
+          *m_paths[i].path, {.terms = m_shadesTerms, .originalTextures = true, .like = m_paths[i].plain.get()}, views);
   if (paths.compares())
     for (const WhatIfPreset& each : settings.whatIfs) {
       const paths::Path& path = pathByName(each.path);
@@ -126,7 +138,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
 
   const std::vector<gpu::Tile> tiles =
       gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height));
-  const std::size_t parts = tiles.size() * static_cast<std::size_t>(settings.samples);
+  const std::size_t parts = partsOf(settings);
   std::size_t part = 0;
   for (const gpu::Tile& tile : tiles)
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples, settings.filterWidth)) {
@@ -134,10 +146,8 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
       const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
       cutPixels.insert(visible.cutPixels.begin(), visible.cutPixels.end());
       m_scene.requireTextures(visible);
-      const bool mayAddTerms =
-          m_choice.compares() && !settings.terms && settings.attribution == Attribution::overBudget;
       const bool keeps =
-          parts == 1 && (mayAddTerms || m_mayDropLights || m_mayDropLobes) && visible.size() <= kMaxKeptEntries;
+          parts == 1 && (m_mayAddTerms || m_mayDropLights || m_mayDropLobes) && visible.size() <= kMaxKeptEntries;
       const std::size_t layerCount = visible.layers.size();
       view.begin(tile);
       // From the back to the front, as hardware blends; one layer's surface at a time.
@@ -152,8 +162,9 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
           const double share = (static_cast<double>(k) + done) / static_cast<double>(layerCount);
           if (progress) progress("truth", (static_cast<double>(part) + share) / static_cast<double>(parts));
         };
-        shade(surface, camera, static_cast<std::uint32_t>(stream), told, view);
-        if (keeps) m_kept.push_back(std::move(surface));
+        std::vector<gpu::ShadedSurface> shaded = shade(surface, camera, static_cast<std::uint32_t>(stream), told, view);
+        if (!m_mayAddTerms || !m_shadesTerms) shaded.clear();
+        if (keeps) m_kept.push_back({std::move(surface), std::move(shaded)});
       }
       const base::Stopwatch watch(&m_context.timings(), "compose");
       view.end();
@@ -196,8 +207,9 @@ void SceneRenderer::renderBackdrops(const scenes::Camera& camera) {
   }
 }
 
-void SceneRenderer::shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
-                          const reference::Progress& progress, ViewBuilder& view) {
+std::vector<gpu::ShadedSurface> SceneRenderer::shade(const gpu::Surface& surface, const scenes::Camera& camera,
+                                                     std::uint32_t stream, const reference::Progress& progress,
+                                                     ViewBuilder& view) {
   countSurface(surface, m_work);
   const auto begin = [&](const std::string& stage) {
     if (m_settings.terms) m_work.termSamples += surface.size();
@@ -222,6 +234,9 @@ void SceneRenderer::shade(const gpu::Surface& surface, const scenes::Camera& cam
   }
   const base::Stopwatch watch(&m_context.timings(), "compose");
   view.lay(surface, shaded, truth ? &*truth : nullptr);
+  std::vector<gpu::ShadedSurface> ofPaths;
+  for (std::size_t i = 0; i < m_paths.size(); ++i) ofPaths.push_back(std::move(shaded[i].shaded));
+  return ofPaths;
 }
 
 void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes::Camera& camera,
@@ -229,10 +244,12 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
   const Settings& settings = m_settings;
   assert(path > 0 && !settings.terms);
   PathState &first = m_paths.front(), &other = m_paths[path];
-  for (PathState* each : {&first, &other}) { // for one view: whether there will be another is not known
-    if (!each->withTerms) each->withTerms = makeRenderer(*each->path, {.terms = true}, 1);
-    each->giveBackdrop(*each->withTerms);
-  }
+  const auto shadeAgain = [&](PathState& by, const gpu::Surface& surface) {
+    // For one view: whether there will be another is not known.
+    if (!by.withTerms) by.withTerms = makeRenderer(*by.path, {.terms = true}, 1);
+    by.giveBackdrop(*by.withTerms);
+    return by.withTerms->shade(surface, camera);
+  };
   gpu::FrameBuilder firstFrame = makeFrame(true), otherFrame = makeFrame(true);
   std::vector<char> wanted(m_prepared.scene.materials.size(), 0);
   for (const std::size_t material : materials) wanted[material] = 1;
@@ -240,13 +257,17 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
                             static_cast<std::uint32_t>(settings.width), settings.samples,
                             std::vector<glm::vec3>(1 + m_scene.buffers().termCount(), settings.background),
                             std::nullopt, std::move(wanted));
-  const auto lay = [&](const gpu::Surface& surface) {
-    const base::Stopwatch watch(&m_context.timings(), "shade terms");
-    m_again.termSamples += 2 * surface.size();
-    const gpu::ShadedSurface a = first.withTerms->shade(surface, camera), b = other.withTerms->shade(surface, camera);
+  const auto compose = [&](const gpu::Surface& surface, const gpu::ShadedSurface& a, const gpu::ShadedSurface& b) {
     firstFrame.lay(surface, a);
     otherFrame.lay(surface, b);
     variants.lay(surface, a, b, TermVariants(surface, a, b).planes());
+  };
+  const auto lay = [&](const KeptLayer& layer) {
+    const base::Stopwatch watch(&m_context.timings(), "shade terms");
+    m_again.termSamples += 2 * layer.surface.size(); // that are looked at, whenever they were shaded
+    if (!layer.shaded.empty()) return compose(layer.surface, layer.shaded.front(), layer.shaded[path]);
+    const gpu::ShadedSurface a = shadeAgain(first, layer.surface), b = shadeAgain(other, layer.surface);
+    compose(layer.surface, a, b);
   };
   layAgain(camera, m_again,
            {[&](const gpu::Tile& tile) { firstFrame.begin(tile), otherFrame.begin(tile), variants.begin(tile); }, lay,
@@ -259,13 +280,14 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
 base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera& camera) {
   assert(m_mayDropLights);
   PathState& first = m_paths.front();
-  if (!first.switched) first.switched = makeRenderer(*first.path, {}, m_views);
+  if (!first.switched)
+    first.switched = makeRenderer(*first.path, {.terms = m_shadesTerms, .like = first.plain.get()}, m_views);
   gpu::FrameBuilder frame = makeFrame(false);
   first.switched->switchLight(light, false);
   first.giveBackdrop(*first.switched);
-  const auto lay = [&](const gpu::Surface& surface) {
+  const auto lay = [&](const KeptLayer& layer) {
     const base::Stopwatch watch(&m_context.timings(), "shade without a light");
-    frame.lay(surface, first.switched->shade(surface, camera));
+    frame.lay(layer.surface, first.switched->shade(layer.surface, camera));
   };
   layAgain(camera, m_work, {[&](const gpu::Tile& tile) { frame.begin(tile); }, lay, [&] { frame.end(); }});
   first.switched->switchLight(light, true);
@@ -279,9 +301,9 @@ base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scen
   if (!without) without = makeRenderer(*first.path, {.hiddenFeatures = features}, m_views);
   first.giveBackdrop(*without);
   gpu::FrameBuilder frame = makeFrame(false);
-  const auto lay = [&](const gpu::Surface& surface) {
+  const auto lay = [&](const KeptLayer& layer) {
     const base::Stopwatch watch(&m_context.timings(), "shade without a lobe");
-    frame.lay(surface, without->shade(surface, camera));
+    frame.lay(layer.surface, without->shade(layer.surface, camera));
   };
   layAgain(camera, m_work, {[&](const gpu::Tile& tile) { frame.begin(tile); }, lay, [&] { frame.end(); }});
   ++m_work.lobePictures;
@@ -302,13 +324,13 @@ void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Com
       m_context.requireGoesOn();
       composition.begin(tile);
       if (!m_kept.empty()) {
-        for (const gpu::Surface& surface : m_kept) composition.lay(surface);
+        for (const KeptLayer& layer : m_kept) composition.lay(layer);
       } else {
         const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
         for (std::size_t k = 0; k < visible.layers.size(); ++k) {
-          const gpu::Surface surface = resolve(visible, k, camera);
-          countSurface(surface, work);
-          composition.lay(surface);
+          const KeptLayer layer{resolve(visible, k, camera), {}};
+          countSurface(layer.surface, work);
+          composition.lay(layer);
         }
       }
       composition.end();

@@ -25,8 +25,8 @@ public:
   ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
 
   // Gives the frames of the view that was rendered last, by this camera, their terms, and these materials' the
-  // termVariants of the path at that place, by shading it once more: the colours stay as they are. For runs without
-  // settings.terms.
+  // termVariants of the path at that place: from what render has kept, else by shading it once more. The colours stay
+  // as they are. For runs without settings.terms.
   void addTerms(ViewFrames& frames, std::size_t path, const scenes::Camera& camera,
                 const std::vector<std::size_t>& materials);
 
@@ -59,7 +59,7 @@ public:
 private:
   struct PathState {
     const paths::Path* path = nullptr;
-    std::unique_ptr<paths::Renderer> plain;               // with terms where the settings ask for them
+    std::unique_ptr<paths::Renderer> plain;               // with terms where m_shadesTerms
     std::unique_ptr<paths::Renderer> ofOriginals;         // where it has textures of its own, and the run compares
     std::unique_ptr<paths::Renderer> withTerms, switched; // made when first needed
     std::map<std::uint32_t, std::unique_ptr<paths::Renderer>> without; // the same, without some lobes
@@ -77,13 +77,18 @@ private:
   // What lies behind surfaces that light passes through, by the paths that read it.
   void renderBackdrops(const scenes::Camera& camera);
   gpu::Surface resolve(const gpu::VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera);
-  // By every path, laid over what is in `view` already.
-  void shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
-             const reference::Progress& progress, ViewBuilder& view);
+  // By every path, laid over what is in `view` already. Returns what each path, without the what-ifs, made of it.
+  std::vector<gpu::ShadedSurface> shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
+                                        const reference::Progress& progress, ViewBuilder& view);
+  // A layer of the last view, and it by every path with its terms; empty where those are not kept.
+  struct KeptLayer {
+    gpu::Surface surface;
+    std::vector<gpu::ShadedSurface> shaded;
+  };
   // What pictures are composed of once more.
   struct Composition {
     std::function<void(const gpu::Tile&)> begin;
-    std::function<void(const gpu::Surface&)> lay; // shades it into the pictures
+    std::function<void(const KeptLayer&)> lay; // shades it into the pictures
     std::function<void()> end;
   };
   // Composes the surfaces of the view that was rendered last: those that were kept, else rasterised again.
@@ -99,9 +104,11 @@ private:
   gpu::PermutationBudget m_budget;
   Work m_work, m_again; // by render and by addTerms
   SceneOnDevice m_scene;
-  bool m_mayDropLobes = false;      // and the run wants to know what they are worth
-  std::vector<gpu::Surface> m_kept; // all of the last view, where it may be shaded again: a picture in one part
-  bool m_mayDropLights = false;     // and the run wants to know what they do
+  bool m_mayAddTerms = false;    // to views with materials over their budgets
+  bool m_shadesTerms = false;    // the plain renderers write them: the settings ask for them, or addTerms may
+  bool m_mayDropLobes = false;   // and the run wants to know what they are worth
+  std::vector<KeptLayer> m_kept; // all of the last view, where it may be shaded again: a picture in one part
+  bool m_mayDropLights = false;  // and the run wants to know what they do
   std::vector<std::uint64_t> m_seenSamples;
   std::uint64_t m_cutPixels = 0;    // of all views, with more blended layers than are shown
   std::vector<PathState> m_paths;   // as chosen

@@ -97,6 +97,13 @@ TEST(Permutations, OfASceneWithoutItsOwnAreThatOfEveryScene) {
   EXPECT_EQ(planAll({{{5, 0}, kSmall}}, {.own = 2, .shares = true})[0], every) << "it does not pay";
 }
 
+TEST(Permutations, OfASceneWithLobesAreItsOwn) {
+  const PermutationBudget alone{}, among{.own = 0, .shares = true}, large{.own = 3, .shares = true};
+  EXPECT_EQ(alone.withLobes(), alone);
+  EXPECT_EQ(among.withLobes(), (PermutationBudget{.own = 2}));
+  EXPECT_EQ(large.withLobes(), (PermutationBudget{.own = 3}));
+}
+
 TEST(Permutations, OfARunAreEightHoweverManyScenesItHas) {
   EXPECT_EQ(shareOf(0, 1), PermutationBudget{});
   for (const std::size_t scenes : {2u, 3u, 7u, 8u, 9u, 100u}) {
@@ -126,11 +133,10 @@ TEST(Permutations, AreSaidInWords) {
             "some anisotropy, iridescence");
 }
 
-// Of scenes without further lobes the shader knows none.
-TEST(Permutations, OfEverySceneHaveLayersWhereTheirTexturesAreAmongItsOwn) {
+TEST(Permutations, OfEverySceneHaveNoLobes) {
   const std::uint32_t base = (1u << kSlotCount) - 1 - kLobeTextures;
+  EXPECT_EQ(everyScenePermutation(base | kLobeTextures), everyScenePermutation(base)) << "one is all scenes'";
   EXPECT_EQ(everyScenePermutation(base).mayFeatures & kFeatureLobes, 0u);
-  EXPECT_EQ(everyScenePermutation(base | kLobeTextures).mayFeatures & kFeatureLobes, kFeatureLobes);
 }
 
 } // namespace
