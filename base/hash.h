@@ -11,6 +11,8 @@
 
 namespace parity::base {
 
+inline constexpr std::size_t kHashDigits = 32; // of Hasher::hex
+
 // Collects bytes into a 128-bit XXH3 hash. Not cryptographic.
 class Hasher {
 public:
@@ -26,7 +28,7 @@ public:
   requires std::is_trivially_copyable_v<T> Hasher& addValue(const T& value) {
     return add(std::as_bytes(std::span{&value, 1}));
   }
-  std::string hex() const; // 32 lower-case hexadecimal digits
+  std::string hex() const; // kHashDigits lower-case hexadecimal digits
 
 private:
   void* m_state;

@@ -22,7 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kFolder = "baseline/", kEnding = ".png";
-constexpr std::size_t kHashDigits = 32;
 constexpr std::size_t kMostPictureBytes = std::size_t{64} << 20; // of one that is held, whose size is not known
 
 struct PngSize {
@@ -94,8 +93,8 @@ template <typename Named> const Named* findNamed(const std::vector<Named>& list,
 } // namespace
 
 bool isBaselinePicture(std::string_view name) {
-  return name.size() == kHashDigits + kEnding.size() && name.ends_with(kEnding) &&
-         name.find_first_not_of("0123456789abcdef") == kHashDigits;
+  return name.size() == base::kHashDigits + kEnding.size() && name.ends_with(kEnding) &&
+         name.find_first_not_of("0123456789abcdef") == base::kHashDigits;
 }
 
 BaselinePictures::BaselinePictures(const report::Report& baseline, const fs::path& file, const fs::path& reportFolder)

@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *kScene = "scene.glb", *kEnvironment = "environment.hdr", // in each scene's folder
+constexpr const char *kScene = "scene.glb", *kEnvironmentFile = "environment.hdr", // in each scene's folder
                                                 *kCalibrationScene = "calibration.glb",
                      *kCalibrationMap = "calibration.hdr";
 
@@ -152,7 +152,7 @@ public:
     json.key("scene").text(sceneFile(request, lit.scene, own));
     std::string environment;
     if (lit.panorama) {
-      environment = fmt::format("{}/{}", own, kEnvironment);
+      environment = fmt::format("{}/{}", own, kEnvironmentFile);
       base::writeImage(m_folder / environment, turned(*lit.panorama));
     }
     writeEnvironment(json.key("environment"), environment);
@@ -269,7 +269,7 @@ private:
 std::vector<std::string> contractFiles(std::size_t scenes) {
   std::vector<std::string> files = {kContractFile, kCalibrationScene, kCalibrationMap};
   for (std::size_t i = 0; i < scenes; ++i)
-    for (const char* file : {kScene, kEnvironment}) files.push_back(fmt::format("{}/{}", i, file));
+    for (const char* file : {kScene, kEnvironmentFile}) files.push_back(fmt::format("{}/{}", i, file));
   return files;
 }
 

@@ -45,9 +45,9 @@ struct Line {
   std::string cause, reason;
 };
 
-class Table {
+class CsvTable {
 public:
-  explicit Table(const Report& report) {
+  explicit CsvTable(const Report& report) {
     for (const SceneResult& scene : report.scenes)
       for (const ViewResult& view : scene.views)
         for (const Line& line : linesOf(view)) {
@@ -117,6 +117,6 @@ private:
 
 } // namespace
 
-std::string toCsv(const Report& report) { return Table(report).text(report); }
+std::string toCsv(const Report& report) { return CsvTable(report).text(report); }
 
 } // namespace parity::report

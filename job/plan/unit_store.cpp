@@ -18,14 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char *kUnit = "unit", *kOther = "other", *kCrash = "crash", *kBegun = "begun";
-constexpr std::size_t kDigits = 32; // of base::Hasher
 
 // Below the folder, wherever it is put: a unit that somebody wrote by hand must not reach other files.
 bool isSafe(const UnitFile& file) {
   const fs::path name = file.file;
   return !name.empty() && name.is_relative() && name.has_filename() &&
-         std::ranges::none_of(name, [](const fs::path& part) { return part == ".."; }) && file.hash.size() == kDigits &&
-         file.hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+         std::ranges::none_of(name, [](const fs::path& part) { return part == ".."; }) &&
+         file.hash.size() == base::kHashDigits && file.hash.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 } // namespace

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kRadius = 0.46;
 constexpr std::size_t kMaxBalls = 10000;
-constexpr float kTurn = glm::half_pi<float>();              // the middle of a half faces the camera
+constexpr float kQuarterTurn = glm::half_pi<float>();       // the middle of a half faces the camera
 constexpr std::size_t kVertexBudget = std::size_t{1} << 22; // for all spheres together
 
 // As fine as the number of spheres allows.
@@ -78,7 +78,7 @@ Scene makeMaterialBalls(Scene scene) {
     const std::size_t column = m % columns, row = m / columns;
     const glm::vec3 center(static_cast<float>(column) - 0.5f * static_cast<float>(columns - 1),
                            0.5f * static_cast<float>(rows - 1) - static_cast<float>(row), 0.f);
-    const glm::mat4 turned = glm::rotate(glm::translate(glm::mat4(1.f), center), kTurn, {0.f, 1.f, 0.f});
+    const glm::mat4 turned = glm::rotate(glm::translate(glm::mat4(1.f), center), kQuarterTurn, {0.f, 1.f, 0.f});
     scene.instances.push_back({static_cast<std::uint32_t>(m), turned, mesh.name});
     scene.meshes.push_back(std::move(mesh));
   }

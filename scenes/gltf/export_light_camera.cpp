@@ -13,7 +13,7 @@ namespace parity::scenes {
 
 namespace {
 
-constexpr const char* kLights = "KHR_lights_punctual";
+constexpr const char* kLightsName = "KHR_lights_punctual";
 
 const char* typeOf(LightKind kind) {
   return kind == LightKind::directional ? "directional" : kind == LightKind::point ? "point" : "spot";
@@ -68,10 +68,11 @@ void addLights(GlbDraft& draft, const Scene& scene) {
   for (const Light& light : scene.lights) {
     tinygltf::Node node = nodeOf(light);
     node.name = base::cleanUtf8(light.name);
-    node.extensions[kLights] = gltfObject({{"light", tinygltf::Value(static_cast<int>(draft.model.lights.size()))}});
+    node.extensions[kLightsName] =
+        gltfObject({{"light", tinygltf::Value(static_cast<int>(draft.model.lights.size()))}});
     draft.model.lights.push_back(describe(light));
     draft.addNode(std::move(node));
-    draft.extensions.insert(kLights);
+    draft.extensions.insert(kLightsName);
   }
 }
 

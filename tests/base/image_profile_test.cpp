@@ -13,7 +13,7 @@
 namespace parity::base {
 namespace {
 
-std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
+std::span<const std::byte> profileBytes(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 // The library's own decoder ends the process with a segmentation fault on most of these.
 TEST(IccProfile, WhoseOffsetsWrapIsReadPast) {
@@ -50,15 +50,15 @@ TEST(ImageFormat, IsToldByTheFirstBytes) {
         {"a.jpg", jpeg}, {"a.png", png}, {"a.tif", tiff}, {"a.webp", webp}};
     EXPECT_EQ(findImageFormat(bytes, ".x"), formats.at(name)) << name;
   }
-  EXPECT_EQ(findImageFormat(bytesOf("P6\n1 1\n255\nabc"), ""), pnm);
-  EXPECT_EQ(findImageFormat(bytesOf("P7 "), ""), std::nullopt);
-  EXPECT_EQ(findImageFormat(bytesOf("PF\n1 1\n-1\n"), ""), pfm);
+  EXPECT_EQ(findImageFormat(profileBytes("P6\n1 1\n255\nabc"), ""), pnm);
+  EXPECT_EQ(findImageFormat(profileBytes("P7 "), ""), std::nullopt);
+  EXPECT_EQ(findImageFormat(profileBytes("PF\n1 1\n-1\n"), ""), pfm);
   std::string targaHeader(18, '\0');
   targaHeader[2] = 2, targaHeader[16] = 24;
-  EXPECT_EQ(findImageFormat(bytesOf(targaHeader), ".TGA"), targa);
-  EXPECT_EQ(findImageFormat(bytesOf(targaHeader), ".png"), std::nullopt) << "it has no mark";
+  EXPECT_EQ(findImageFormat(profileBytes(targaHeader), ".TGA"), targa);
+  EXPECT_EQ(findImageFormat(profileBytes(targaHeader), ".png"), std::nullopt) << "it has no mark";
   for (const std::string other : {"", "G", "GIF89a", "RIFF1234WAVE", "8BPS", "%PDF", "DDS ", "\0\0\0\x0cjP  "})
-    EXPECT_EQ(findImageFormat(bytesOf(other), ".png"), std::nullopt) << other;
+    EXPECT_EQ(findImageFormat(profileBytes(other), ".png"), std::nullopt) << other;
 }
 
 // Their readers take memory before the size is known, or read outside of their buffers.

@@ -27,7 +27,7 @@ Image8 readByLibpng(const std::vector<std::byte>& file, int channels) {
 }
 
 // A picture with smooth, flat and noisy parts.
-Image8 makePicture(int width, int height, int channels) {
+Image8 makePictureOf(int width, int height, int channels) {
   Image8 image(width, height, channels);
   std::mt19937 random(3);
   for (int y = 0; y < height; ++y)
@@ -45,7 +45,7 @@ TEST(PngWrite, AnyReaderFindsTheSamePixels) {
       for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1, 1}, {1, 50}, {7, 3}, {333, 200}}) {
         SCOPED_TRACE(std::to_string(channels) + " channels, level " + std::to_string(level) + ", " +
                      std::to_string(width));
-        const Image8 image = makePicture(width, height, channels);
+        const Image8 image = makePictureOf(width, height, channels);
         const std::vector<std::byte> file = encodePng(image, level);
         checkPng(file, "a.png");
         EXPECT_EQ(readByLibpng(file, channels), image);
@@ -55,7 +55,7 @@ TEST(PngWrite, AnyReaderFindsTheSamePixels) {
 }
 
 TEST(PngWrite, TheSamePictureGivesTheSameBytesOnAnyNumberOfThreads) {
-  const Image8 image = makePicture(500, 400, 3);
+  const Image8 image = makePictureOf(500, 400, 3);
   const std::vector<std::byte> file = encodePng(image, 1);
   const ThreadLimit one(1);
   EXPECT_EQ(encodePng(image, 1), file);

@@ -20,7 +20,7 @@ const base::Day kDay = *base::dayFrom("2027-01-01");
 base::Day later(int days) { return kDay + std::chrono::days(days); }
 
 // A failing material, one that is well and a whole image that is.
-Report makeReport(double mean = 0.25) {
+Report makeChromeReport(double mean = 0.25) {
   Report report;
   SceneResult& scene = report.scenes.emplace_back();
   scene.name = "Hero";
@@ -39,7 +39,7 @@ compare::Approvals makeApprovals() {
   entry.scene = "Hero", entry.view = "front", entry.material = "Chrome", entry.metric = "flip.mean";
   entry.value = 0.25, entry.slack = 0.01, entry.until = later(100);
   entry.owner = "characters", entry.reason = "refit in sprint 12", entry.line = 4;
-  entry.inputs = approvedInputs(makeReport().scenes[0].inputs);
+  entry.inputs = approvedInputs(makeChromeReport().scenes[0].inputs);
   return {.file = "ci/approvals.toml", .head = {}, .numerics = {}, .entries = {entry}};
 }
 
@@ -53,8 +53,8 @@ Report withApprovals(Report report, const compare::Approvals& approvals, base::D
 const MaterialResult& chrome(const Report& report) { return report.scenes[0].views[0].materials[0]; }
 
 TEST(Approvals, WhatIsApprovedPassesAndIsShownWithOwnerDateAndReason) {
-  EXPECT_EQ(exitCode(withApprovals(makeReport(), {}), true), 2);
-  const Report report = withApprovals(makeReport(), makeApprovals());
+  EXPECT_EQ(exitCode(withApprovals(makeChromeReport(), {}), true), 2);
+  const Report report = withApprovals(makeChromeReport(), makeApprovals());
   EXPECT_EQ(chrome(report).verdict, Verdict::pass);
   EXPECT_EQ(exitCode(report, true), 0);
   EXPECT_EQ(chrome(report).accepted,
@@ -72,7 +72,7 @@ TEST(Approvals, WhatIsApprovedPassesAndIsShownWithOwnerDateAndReason) {
 TEST(Approvals, CreepIsHeldAgainstTheApprovedValueAndNotAgainstLastNight) {
   std::vector<Verdict> verdicts;
   for (const double mean : {0.25, 0.254, 0.258, 0.262, 0.266})
-    verdicts.push_back(chrome(withApprovals(makeReport(mean), makeApprovals())).verdict);
+    verdicts.push_back(chrome(withApprovals(makeChromeReport(mean), makeApprovals())).verdict);
   EXPECT_EQ(verdicts, (std::vector{Verdict::pass, Verdict::pass, Verdict::pass, Verdict::fail, Verdict::fail}))
       << "0.25 and a slack of 0.01";
 }
@@ -80,8 +80,9 @@ TEST(Approvals, CreepIsHeldAgainstTheApprovedValueAndNotAgainstLastNight) {
 TEST(Approvals, DateIsRecordedOnlyWhereSomethingHasOne) {
   compare::Approvals none = makeApprovals();
   none.entries.clear();
-  EXPECT_EQ(toJson(withApprovals(makeReport(), none)), toJson(withApprovals(makeReport(), {})));
-  EXPECT_EQ(toJson(withApprovals(makeReport(), makeApprovals())), toJson(withApprovals(makeReport(), makeApprovals())));
+  EXPECT_EQ(toJson(withApprovals(makeChromeReport(), none)), toJson(withApprovals(makeChromeReport(), {})));
+  EXPECT_EQ(toJson(withApprovals(makeChromeReport(), makeApprovals())),
+            toJson(withApprovals(makeChromeReport(), makeApprovals())));
 }
 
 // A change of the entry, the figure or the day, and the verdict that the row then has.
@@ -133,7 +134,7 @@ const std::vector<Rule> kRules = {
 TEST(Approvals, EachRuleOfTheVerdictHolds) {
   for (const Rule& rule : kRules) {
     compare::Approvals approvals = makeApprovals();
-    Report report = makeReport();
+    Report report = makeChromeReport();
     base::Day day = kDay;
     rule.change(approvals.entries[0], report, day);
     const Report result = withApprovals(report, approvals, day);
@@ -159,7 +160,7 @@ TEST(Approvals, ACheckThatCouldNotBeJudgedIsNotCovered) {
 }
 
 TEST(Approvals, WholeImagesHaveEntriesOfTheirOwn) {
-  Report report = makeReport(0.01);
+  Report report = makeChromeReport(0.01);
   report.scenes[0].views[0].whole = makeFigures(0.25, 9000);
   setFigure(report.scenes[0].views[0].whole, "flip.p95", 0.2);
   compare::Approvals approvals = makeApprovals();
@@ -195,26 +196,26 @@ TEST(Approvals, EntriesThatAcceptNothingAreOneWarning) {
   compare::Approvals approvals = makeApprovals();
   approvals.entries.push_back(approvals.entries[0]);
   approvals.entries[1].material = "Crome", approvals.entries[1].line = 16;
-  Report report = withApprovals(makeReport(), approvals);
+  Report report = withApprovals(makeChromeReport(), approvals);
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_EQ(report.warnings[0],
             "approvals.toml: an entry accepts nothing: line 16 (flip.mean of 'Crome', Hero, view front: no such row)");
   EXPECT_EQ(report.verdict, Verdict::warn);
-  EXPECT_TRUE(withApprovals(makeReport(), approvals, kDay, EntriesFor::none).warnings.empty());
+  EXPECT_TRUE(withApprovals(makeChromeReport(), approvals, kDay, EntriesFor::none).warnings.empty());
   approvals.entries[1].scene = "Other";
-  EXPECT_EQ(withApprovals(makeReport(), approvals).warnings.size(), 1u);
-  EXPECT_TRUE(withApprovals(makeReport(), approvals, kDay, EntriesFor::scenes).warnings.empty())
+  EXPECT_EQ(withApprovals(makeChromeReport(), approvals).warnings.size(), 1u);
+  EXPECT_TRUE(withApprovals(makeChromeReport(), approvals, kDay, EntriesFor::scenes).warnings.empty())
       << "diff shows one scene";
   approvals.entries.pop_back();
-  EXPECT_TRUE(withApprovals(makeReport(0.24), approvals).warnings.empty());
-  setMean(report = makeReport(), 0.05);
+  EXPECT_TRUE(withApprovals(makeChromeReport(0.24), approvals).warnings.empty());
+  setMean(report = makeChromeReport(), 0.05);
   EXPECT_EQ(withApprovals(report, approvals, later(120)).warnings.size(), 1u) << "it expired, and the row passes";
 }
 
 TEST(Approvals, ThoseThatEndAreListedTheFirstFirst) {
   compare::Approvals approvals = makeApprovals();
-  EXPECT_TRUE(expiringApprovals(withApprovals(makeReport(), approvals)).empty());
-  const Report report = withApprovals(makeReport(), approvals, later(90));
+  EXPECT_TRUE(expiringApprovals(withApprovals(makeChromeReport(), approvals)).empty());
+  const Report report = withApprovals(makeChromeReport(), approvals, later(90));
   ASSERT_EQ(expiringApprovals(report).size(), 1u);
   EXPECT_EQ(expiringApprovals(report)[0].approval->daysLeft, 10);
   EXPECT_EQ(expiringApprovals(report)[0].material, "Chrome");

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shading/direction.h"
 #include "shading/flushed_half.h"
 #include "shading/quadrature.h"
 #include "shading/shading.h"
@@ -38,14 +39,10 @@ namespace f16 = shading::f16;
 using shading::Half;
 using std::numbers::pi;
 
-struct Direction {
-  double x, y, z;
-};
 Direction along(double cosine, double phi) {
   const double sine = std::sqrt((1 - cosine) * (1 + cosine));
   return {sine * std::cos(phi), sine * std::sin(phi), cosine};
 }
-double dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Direction halfway(const Direction& a, const Direction& b) {
   const double x = a.x + b.x, y = a.y + b.y, z = a.z + b.z, length = std::sqrt(x * x + y * y + z * z);
   return {x / length, y / length, z / length};

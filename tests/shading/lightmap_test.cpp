@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shading/direction.h"
 #include "shading/quadrature.h"
 #include "shading/shading.h"
 
@@ -20,10 +21,6 @@ namespace f16 = shading::f16;
 
 using std::numbers::pi;
 
-struct Direction {
-  double x, y, z;
-};
-double dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Direction leaning(double angle) { return {std::sin(angle), 0, std::cos(angle)}; } // from +Z towards +X
 f64::real32x3 vec(const Direction& d) { return {d.x, d.y, d.z}; }
 
