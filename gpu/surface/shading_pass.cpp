@@ -254,10 +254,11 @@ struct ShadingPass::Impl {
     return pipeline;
   }
 
-  ShadedSurface shade(const Surface& surface, const scenes::Camera& camera);
+  // runs: else nothing but compiled; the result is empty.
+  ShadedSurface shade(const Surface& surface, const scenes::Camera& camera, bool runs);
 };
 
-ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Camera& camera) {
+ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Camera& camera, bool runs) {
   ShadedSurface result;
   result.premultiplied = program.premultiplied;
   const std::size_t n = surface.size();
@@ -283,7 +284,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   bindTextures(surface);
   const DescriptorSets set(device, surfaceLayout, std::span(&bindings, 1));
 
-  device.submit("shade " + program.name, [&](const vk::raii::CommandBuffer& commands) {
+  device.submit((runs ? "shade " : "compile ") + program.name, [&](const vk::raii::CommandBuffer& commands) {
     std::uint32_t firstGroup = 0;
     for (const Bin& bin : surface.bins) {
       const BinKind& kind = kinds[bin.key];
@@ -294,10 +295,14 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
                                    Push{bin.first, bin.count, static_cast<std::uint32_t>(n), firstGroup});
       const std::uint32_t groups = (bin.count + kGroupSize - 1) / kGroupSize;
       firstGroup += groups;
-      commands.dispatch(std::min(groups, kMaxGroupsInRow), (groups + kMaxGroupsInRow - 1) / kMaxGroupsInRow, 1);
+      if (runs)
+        commands.dispatch(std::min(groups, kMaxGroupsInRow), (groups + kMaxGroupsInRow - 1) / kMaxGroupsInRow, 1);
+      else
+        commands.dispatch(0, 0, 0); // a driver that compiles at the first dispatch does so for this one
     }
     fullBarrier(commands);
   });
+  if (!runs) return {};
   result.color = color.downloadAs<glm::vec4>(n);
   for (std::size_t t = 0; t < result.terms.size(); ++t)
     result.terms[t] = t < kTermsInA ? termsA.downloadAs<glm::vec4>(n, t * plane)
@@ -311,7 +316,10 @@ ShadingPass::ShadingPass(const Device& device, const SceneBuffers& scene, const 
     : m_impl(std::make_unique<Impl>(device, scene, binKinds, std::move(program))) {}
 ShadingPass::~ShadingPass() = default;
 ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& camera) const {
-  return m_impl->shade(surface, camera);
+  return m_impl->shade(surface, camera, true);
+}
+void ShadingPass::compile(const Surface& surface, const scenes::Camera& camera) const {
+  m_impl->shade(surface, camera, false);
 }
 void ShadingPass::setLightColor(std::size_t light, const glm::vec3& color) {
   GpuLight& changed = m_impl->program.lights.at(light);

@@ -97,6 +97,8 @@ public:
   ~ShadingPass();
 
   ShadedSurface shade(const Surface& surface, const scenes::Camera& camera) const;
+  // Has the driver compile what shade() would run, and runs nothing.
+  void compile(const Surface& surface, const scenes::Camera& camera) const;
 
   // From now on this light of the program's list has that colour: black switches it off, and no shader is compiled.
   void setLightColor(std::size_t light, const glm::vec3& color);

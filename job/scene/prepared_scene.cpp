@@ -1,7 +1,9 @@
 #include "job/scene/prepared_scene.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #define GLM_ENABLE_EXPERIMENTAL
@@ -119,9 +121,11 @@ lighting::SunExtraction extractSuns(Context& context, const SceneRequest& reques
 }
 
 // To `lights`, which all paths have, come what was extracted, and the environments that go with them.
-void addEnvironment(Context& context, lighting::SunExtraction extraction, const PathChoice& paths,
+// They are prepared on other threads, as far as there are any.
+void addEnvironment(Context& context, lighting::SunExtraction&& found, const PathChoice& paths,
                     PreparedScene& prepared) {
-  const std::vector<lighting::ExtractedSun>& suns = extraction.suns;
+  const auto extraction = std::make_shared<lighting::SunExtraction>(std::move(found));
+  const std::vector<lighting::ExtractedSun>& suns = extraction->suns;
   const std::size_t own = prepared.lights.size();
   for (const lighting::ExtractedSun& sun : suns) prepared.lights.push_back(sun.light);
   std::optional<std::size_t> oneSun;
@@ -137,18 +141,20 @@ void addEnvironment(Context& context, lighting::SunExtraction extraction, const 
       light.lights.push_back(prepared.lights[own + *oneSun]);
     if (isReplaced) continue;
     ++prepared.work.prefilteredMaps;
-    light.environment = needs.hasOneSun
-                            ? context.environmentLight(lighting::putBackSuns(extraction, oneSun), needs.prefilter)
-                            : context.environmentLight(extraction.environment, needs.prefilter);
+    prepared.pendingEnvironments[path->name()] = std::async(
+        base::threadCount() > 1 ? std::launch::async : std::launch::deferred, [&context, extraction, needs, oneSun] {
+          return needs.hasOneSun ? context.environmentLight(lighting::putBackSuns(*extraction, oneSun), needs.prefilter)
+                                 : context.environmentLight(extraction->environment, needs.prefilter);
+        });
     if (needs.cells)
       light.cells =
-          std::make_shared<const lighting::PanoramaCells>(lighting::makePanoramaCells(extraction.environment));
+          std::make_shared<const lighting::PanoramaCells>(lighting::makePanoramaCells(extraction->environment));
   }
   if (!suns.empty()) {
-    const std::string text = describe(extraction);
+    const std::string text = describe(*extraction);
     prepared.sunText = prepared.sunText == "none" ? text : prepared.sunText + "; " + text;
   }
-  if (paths.truth || paths.bakes || prepared.baked) prepared.panorama = std::move(extraction.environment);
+  if (paths.truth || paths.bakes || prepared.baked) prepared.panorama = extraction->environment;
 }
 
 scenes::Scene loadSubject(const SceneRequest& request) {
@@ -162,6 +168,24 @@ scenes::Scene loadSubject(const SceneRequest& request) {
 } // namespace
 
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const PathChoice& paths) {
+  PreparedScene prepared = beginScene(context, request, paths);
+  finishLight(prepared);
+  return prepared;
+}
+
+bool isLightReady(const PreparedScene& prepared) {
+  return std::ranges::all_of(prepared.pendingEnvironments, [](const auto& pending) {
+    return pending.second.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
+  });
+}
+
+void finishLight(PreparedScene& prepared) {
+  for (auto& [path, pending] : prepared.pendingEnvironments) prepared.lightOfPath[path].environment = pending.get();
+  prepared.pendingEnvironments.clear();
+  if (!prepared.pendingFile.empty()) requireLight(prepared, std::exchange(prepared.pendingFile, {}));
+}
+
+PreparedScene beginScene(Context& context, const SceneRequest& request, const PathChoice& paths) {
   PreparedScene prepared;
   prepared.settings = request.settings;
   const scenes::SceneSettings& settings = request.settings.scene;
@@ -227,7 +251,7 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
               fmt::format("the {} path shades stationary lights without shadows; give --shadows", path->title()));
     prepared.panorama.reset();
   }
-  if (prepared.isLit || !hasSky) requireLight(prepared, request.scene); // an unlit scene's sky was not filtered
+  if (prepared.isLit || !hasSky) prepared.pendingFile = request.scene; // an unlit scene's sky was not filtered
   return prepared;
 }
 

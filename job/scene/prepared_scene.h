@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -33,6 +34,10 @@ struct PreparedScene {
   bool isLit = true;                    // some object's material is not unlit: light is needed at all
   Work work;                            // done so far
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
+
+  // What finishLight takes: the environments of lightOfPath, and the file of the scene.
+  std::map<std::string, std::shared_future<std::shared_ptr<const lighting::EnvironmentLight>>> pendingEnvironments;
+  std::string pendingFile;
 };
 
 // A path's light; without lights and environment where the path was not asked for.
@@ -46,6 +51,14 @@ bool tracesScene(const PreparedScene& prepared);
 // Loads scene and environment (at the same time), extracts suns, applies flags. Throws Error: exit 4 for what cannot
 // be read, for an empty scene and for one with nothing that gives light; usage for a glob that no material matches.
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const PathChoice& paths);
+
+// The same in two steps. Between them the environments of lightOfPath are missing, and other threads prepare them; the
+// context must outlive that.
+PreparedScene beginScene(Context& context, const SceneRequest& request, const PathChoice& paths);
+// Whether finishLight need not wait.
+bool isLightReady(const PreparedScene& prepared);
+// Waits. Throws Error (exit 4) for a scene with nothing that gives light. A second call does nothing.
+void finishLight(PreparedScene& prepared);
 
 // For SceneRenderer's onLastRead: frees the pixels of an image. Empty where the truth will read them, where it
 // tracesScene. `prepared` must outlive it.

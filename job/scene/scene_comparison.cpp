@@ -178,19 +178,23 @@ private:
     m_context.requireGoesOn();
     m_tell(0, "loading");
     const PathChoice paths = pathsOf(request.settings);
-    PreparedScene prepared = prepareScene(m_context, request, paths);
+    PreparedScene prepared = beginScene(m_context, request, paths);
     scene.inputs = prepared.scene.sources;
     result.environment = prepared.environmentName;
     result.sun = prepared.sunText;
     const auto addLight = [&](const std::string& text) { result.light += (result.light.empty() ? "" : "; ") + text; };
     if (prepared.baked) addLight(fmt::format("baked: {}; ASTC {}", prepared.baked->settings, prepared.baked->astc));
-    const bool hasCaptures = prepared.baked && !prepared.baked->captures.empty();
-    for (const paths::Path* path : paths.chosen)
-      if (hasCaptures || lightOf(prepared, *path).environment)
-        if (const std::string words = path->describeLight(request.settings.options, hasCaptures); !words.empty())
-          addLight(words);
-    result.warnings = prepared.scene.warnings;
+    const auto saySceneLight = [&] { // of a light that is finished
+      const bool hasCaptures = prepared.baked && !prepared.baked->captures.empty();
+      for (const paths::Path* path : paths.chosen)
+        if (hasCaptures || lightOf(prepared, *path).environment)
+          if (const std::string words = path->describeLight(request.settings.options, hasCaptures); !words.empty())
+            addLight(words);
+      result.warnings = prepared.scene.warnings;
+    };
     if (m_request.scenes.size() > 1 && !hasAnyMaterial(prepared.scene, request.settings.materials)) {
+      finishLight(prepared);
+      saySceneLight();
       scene.isLeftOut = true;
       for (const scenes::Material& material : prepared.scene.materials) scene.materials.push_back(material.name);
       return;
@@ -205,8 +209,9 @@ private:
       const base::Stopwatch watch(&m_context.timings(), "material cards");
       cards = describeMaterials(prepared.scene, request.settings.materials, wish.pictures);
     }
-    SceneRenderer renderer(m_context, prepared, prepared.settings, paths, wish.views, wish.permutations,
+    SceneRenderer renderer(m_context, prepared, cameraOf(request, 0, prepared), paths, wish.views, wish.permutations,
                            imageRelease(prepared, paths));
+    saySceneLight();
     for (std::string& note : renderer.notes()) result.warnings.push_back(std::move(note));
     for (std::size_t i = 0; i < paths.chosen.size(); ++i)
       for (const scenes::Material& material : prepared.scene.materials)

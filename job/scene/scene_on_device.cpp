@@ -98,25 +98,26 @@ const paths::Light& SceneOnDevice::lightFor(const paths::Path& path, const paths
 std::unique_ptr<paths::Renderer> SceneOnDevice::makeRenderer(const paths::Path& path, const paths::Options& options,
                                                              const RendererWish& wish) {
   static const paths::Light kDark;
-  return path.makeRenderer(
-      {.device = m_context.device(),
-       .buffers = m_buffers,
-       .binKinds = m_surfacePass.binKinds(),
-       .light = m_prepared.isLit ? lightFor(path, options) : kDark,
-       .isLit = m_prepared.isLit,
-       .baked = m_prepared.baked.get(),
-       .textures = wish.originalTextures ? nullptr : texturesIn(path.textureBlock(options)),
-       .asksForShadows = m_prepared.settings.shadows,
-       .shadowMaps = m_settings.shadowMaps,
-       .terms = wish.terms,
-       .hiddenFeatures = wish.hiddenFeatures,
-       .wide = wish.wide,
-       .intermediate = wish.intermediate,
-       .compilation = {wish.budget, &m_context.pipelines(), wish.like ? wish.like->pass().plan() : nullptr},
-       .expectedPixels = wish.expectedPixels,
-       .services = m_context.services(),
-       .store = m_store},
-      options);
+  return path.makeRenderer({.device = m_context.device(),
+                            .buffers = m_buffers,
+                            .binKinds = m_surfacePass.binKinds(),
+                            .light = wish.light         ? *wish.light
+                                     : m_prepared.isLit ? lightFor(path, options)
+                                                        : kDark,
+                            .isLit = m_prepared.isLit,
+                            .baked = m_prepared.baked.get(),
+                            .textures = wish.originalTextures ? nullptr : texturesIn(path.textureBlock(options)),
+                            .asksForShadows = m_prepared.settings.shadows,
+                            .shadowMaps = m_settings.shadowMaps,
+                            .terms = wish.terms,
+                            .hiddenFeatures = wish.hiddenFeatures,
+                            .wide = wish.wide,
+                            .intermediate = wish.intermediate,
+                            .compilation = {wish.budget, &m_context.pipelines(), wish.plan},
+                            .expectedPixels = wish.expectedPixels,
+                            .services = m_context.services(),
+                            .store = m_store},
+                           options);
 }
 
 void SceneOnDevice::requireTextures(const gpu::VisibleLayers& visible) {

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "job/scene/stand_in_light.h"
 #include "job/view/term_variants.h"
 
 namespace parity::job {
@@ -30,7 +31,7 @@ constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
 
 } // namespace
 
-SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Settings& settings,
+SceneRenderer::SceneRenderer(WithoutLight, Context& context, const PreparedScene& prepared, const Settings& settings,
                              const PathChoice& paths, std::size_t views, const gpu::PermutationBudget& budget,
                              gpu::ImageDone onLastRead)
     : m_context(context), m_prepared(prepared), m_settings(settings), m_choice(paths), m_views(views), m_budget(budget),
@@ -45,27 +46,82 @@ SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, co
   // To write the terms takes a shader a third longer: less than to compile another one, and to shade again what is over
   // budget. Pictures in several parts would have to keep too much.
   m_shadesTerms = settings.terms || (m_mayAddTerms && paths.intermediate == 0 && partsOf(settings) == 1);
-  for (const paths::Path* path : paths.chosen)
-    m_paths.push_back({path,
-                       makeRenderer(*path, {.terms = m_shadesTerms, .intermediate = paths.intermediate}, views),
-                       {},
-                       {},
-                       {},
-                       {},
-                       {}});
-  for (std::size_t i = 1; i < m_paths.size(); ++i) // those that are compared with the first
-    if (m_scene.hasOwnTextures(*m_paths[i].path, settings.options))
-      m_paths[i].ofOriginals = makeRenderer(
-          *m_paths[i].path, {.terms = m_shadesTerms, .originalTextures = true, .like = m_paths[i].plain.get()}, views);
-  if (paths.compares())
-    for (const WhatIfPreset& each : settings.whatIfs) {
-      const paths::Path& path = pathByName(each.path);
-      m_whatIfs.push_back({&path, makeRenderer(path, each.options, {}, views), {}, {}, {}, {}, {}});
+}
+
+SceneRenderer::SceneRenderer(Context& context, const PreparedScene& prepared, const Settings& settings,
+                             const PathChoice& paths, std::size_t views, const gpu::PermutationBudget& budget,
+                             gpu::ImageDone onLastRead)
+    : SceneRenderer(WithoutLight{}, context, prepared, settings, paths, views, budget, std::move(onLastRead)) {
+  makeRenderers();
+}
+
+SceneRenderer::SceneRenderer(Context& context, PreparedScene& prepared, const scenes::Camera& firstView,
+                             const PathChoice& paths, std::size_t views, const gpu::PermutationBudget& budget,
+                             gpu::ImageDone onLastRead)
+    : SceneRenderer(WithoutLight{}, context, prepared, prepared.settings, paths, views, budget, std::move(onLastRead)) {
+  if (!isLightReady(prepared) && partsOf(m_settings) == 1) compileAhead(firstView);
+  finishLight(prepared);
+  makeRenderers();
+}
+
+// In the order of render(), so that the plans become the same.
+void SceneRenderer::compileAhead(const scenes::Camera& camera) {
+  const base::Stopwatch watch(&m_context.timings(), "compile ahead");
+  m_standIns.reserve(m_choice.chosen.size()); // renderers refer to them
+  std::vector<std::unique_ptr<paths::Renderer>> renderers;
+  for (const paths::Path* path : m_choice.chosen) {
+    m_standIns.push_back(standInLight(lightOf(m_prepared, *path), path->lightNeeds(m_settings.options)));
+    SceneOnDevice::RendererWish wish{.terms = m_shadesTerms, .intermediate = m_choice.intermediate};
+    if (m_prepared.pendingEnvironments.contains(path->name())) wish.light = &m_standIns.back();
+    renderers.push_back(makeRenderer(*path, wish, m_views));
+    m_plans.push_back(renderers.back()->pass().plan());
+  }
+  const auto compile = [&](const gpu::VisibleLayers& visible, const auto& isWanted) {
+    m_scene.requireTextures(visible);
+    for (std::size_t k = 0; k < visible.layers.size(); ++k) {
+      const gpu::Surface surface = resolve(visible, k, camera);
+      for (const auto& renderer : renderers)
+        if (isWanted(*renderer)) renderer->pass().compile(surface, camera);
     }
-  if (paths.truth) {
-    m_truth.emplace(context, prepared, settings, m_scene.buffers(), m_scene.surfacePass().binKinds(),
-                    pixelsOf(settings, views), gpu::Compilation{budget, &context.pipelines()});
-    if (tracesScene(prepared)) m_work.occluderMeshes = prepared.scene.meshes.size();
+  };
+  const gpu::Tile tile =
+      gpu::makeTiles(static_cast<std::uint32_t>(m_settings.width), static_cast<std::uint32_t>(m_settings.height))
+          .front();
+  const glm::vec2 sample = gpu::samplePositions(m_settings.samples, m_settings.filterWidth).front();
+  const auto readsBackdrop = [](const paths::Renderer& renderer) { return renderer.readsBackdrop(); };
+  std::optional<gpu::Backdrop> backdrop; // of the kind of the one to come
+  if (m_choice.intermediate == 0 &&
+      std::ranges::any_of(renderers, [&](const auto& each) { return readsBackdrop(*each); })) {
+    compile(m_scene.surfacePass().rasteriseBehind(camera, tile, sample), readsBackdrop);
+    gpu::BackdropBuilder builder(static_cast<std::uint32_t>(m_settings.width),
+                                 static_cast<std::uint32_t>(m_settings.height), m_settings.samples);
+    backdrop.emplace(builder.take(m_context.device()));
+    for (const auto& renderer : renderers)
+      if (readsBackdrop(*renderer)) renderer->setBackdrop(&*backdrop);
+  }
+  compile(rasterise(camera, tile, sample), [](const paths::Renderer&) { return true; });
+}
+
+void SceneRenderer::makeRenderers() {
+  for (std::size_t i = 0; i < m_choice.chosen.size(); ++i) {
+    SceneOnDevice::RendererWish wish{.terms = m_shadesTerms, .intermediate = m_choice.intermediate};
+    if (!m_plans.empty()) wish.plan = m_plans[i];
+    m_paths.push_back({m_choice.chosen[i], makeRenderer(*m_choice.chosen[i], wish, m_views), {}, {}, {}, {}, {}});
+  }
+  for (std::size_t i = 1; i < m_paths.size(); ++i) // those that are compared with the first
+    if (m_scene.hasOwnTextures(*m_paths[i].path, m_settings.options))
+      m_paths[i].ofOriginals = makeRenderer(
+          *m_paths[i].path, {.terms = m_shadesTerms, .originalTextures = true, .plan = m_paths[i].plain->pass().plan()},
+          m_views);
+  if (m_choice.compares())
+    for (const WhatIfPreset& each : m_settings.whatIfs) {
+      const paths::Path& path = pathByName(each.path);
+      m_whatIfs.push_back({&path, makeRenderer(path, each.options, {}, m_views), {}, {}, {}, {}, {}});
+    }
+  if (m_choice.truth) {
+    m_truth.emplace(m_context, m_prepared, m_settings, m_scene.buffers(), m_scene.surfacePass().binKinds(),
+                    pixelsOf(m_settings, m_views), gpu::Compilation{m_budget, &m_context.pipelines()});
+    if (tracesScene(m_prepared)) m_work.occluderMeshes = m_prepared.scene.meshes.size();
   }
 }
 
@@ -281,7 +337,7 @@ base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera
   assert(m_mayDropLights);
   PathState& first = m_paths.front();
   if (!first.switched)
-    first.switched = makeRenderer(*first.path, {.terms = m_shadesTerms, .like = first.plain.get()}, m_views);
+    first.switched = makeRenderer(*first.path, {.terms = m_shadesTerms, .plan = first.plain->pass().plan()}, m_views);
   gpu::FrameBuilder frame = makeFrame(false);
   first.switched->switchLight(light, false);
   first.giveBackdrop(*first.switched);

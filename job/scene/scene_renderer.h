@@ -20,6 +20,10 @@ public:
   // settings, `prepared` and onLastRead: as of SceneOnDevice.
   SceneRenderer(Context& context, const PreparedScene& prepared, const Settings& settings, const PathChoice& paths,
                 std::size_t views, const gpu::PermutationBudget& budget = {}, gpu::ImageDone onLastRead = {});
+  // Of beginScene, by the settings of `prepared`: finishes its light, and until that is ready compiles what the first
+  // view needs. Throws as finishLight.
+  SceneRenderer(Context& context, PreparedScene& prepared, const scenes::Camera& firstView, const PathChoice& paths,
+                std::size_t views, const gpu::PermutationBudget& budget, gpu::ImageDone onLastRead);
 
   // progress: of the truth, which alone takes long.
   ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
@@ -71,6 +75,13 @@ private:
                                                 std::size_t views);
   std::unique_ptr<paths::Renderer> makeRenderer(const paths::Path& path, const paths::Options& options,
                                                 SceneOnDevice::RendererWish wish, std::size_t views);
+  // All but its renderers; `prepared` may lack its light.
+  struct WithoutLight {};
+  SceneRenderer(WithoutLight, Context& context, const PreparedScene& prepared, const Settings& settings,
+                const PathChoice& paths, std::size_t views, const gpu::PermutationBudget& budget,
+                gpu::ImageDone onLastRead);
+  void makeRenderers();
+  void compileAhead(const scenes::Camera& camera);
   bool mayDropLights() const;
   bool mayDropLobes() const;
   gpu::VisibleLayers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
@@ -102,8 +113,11 @@ private:
   const PathChoice m_choice;
   std::size_t m_views;
   gpu::PermutationBudget m_budget;
-  Work m_work, m_again; // by render and by addTerms
+  Work m_work, m_again;                 // by render and by addTerms
+  std::vector<paths::Light> m_standIns; // what compileAhead lit by; must not end before m_scene
   SceneOnDevice m_scene;
+  std::vector<std::shared_ptr<gpu::PermutationPlan>>
+      m_plans;                   // of each path, of what was compiled ahead; empty: nothing
   bool m_mayAddTerms = false;    // to views with materials over their budgets
   bool m_shadesTerms = false;    // the plain renderers write them: the settings ask for them, or addTerms may
   bool m_mayDropLobes = false;   // and the run wants to know what they are worth

@@ -29,7 +29,7 @@ Bytes makeBytes(std::size_t count, unsigned seed) {
   return bytes;
 }
 
-std::string keyOf(std::string_view text) { return Hasher().add(text).hex(); }
+std::string hashKeyOf(std::string_view text) { return Hasher().add(text).hex(); }
 
 std::vector<fs::path> filesIn(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -60,29 +60,29 @@ TEST(Cache, ReturnsWhatWasStoredUnderThatKeyAlone) {
   const TempFolder temp;
   const Cache cache(temp.path() / "deep" / "cache");
   EXPECT_TRUE(cache.enabled());
-  EXPECT_FALSE(cache.find(keyOf("a")));
-  cache.store(keyOf("a"), makeBytes(1000, 1));
-  cache.store(keyOf("b"), makeBytes(2000, 2));
-  cache.store(keyOf("empty"), {});
-  EXPECT_EQ(cache.find(keyOf("a")), makeBytes(1000, 1));
-  EXPECT_EQ(cache.find(keyOf("b")), makeBytes(2000, 2));
-  EXPECT_EQ(cache.find(keyOf("empty")), Bytes{});
-  EXPECT_FALSE(cache.find(keyOf("c")));
-  cache.store(keyOf("a"), makeBytes(10, 3)); // replaced
-  EXPECT_EQ(Cache(temp.path() / "deep" / "cache").find(keyOf("a")), makeBytes(10, 3));
+  EXPECT_FALSE(cache.find(hashKeyOf("a")));
+  cache.store(hashKeyOf("a"), makeBytes(1000, 1));
+  cache.store(hashKeyOf("b"), makeBytes(2000, 2));
+  cache.store(hashKeyOf("empty"), {});
+  EXPECT_EQ(cache.find(hashKeyOf("a")), makeBytes(1000, 1));
+  EXPECT_EQ(cache.find(hashKeyOf("b")), makeBytes(2000, 2));
+  EXPECT_EQ(cache.find(hashKeyOf("empty")), Bytes{});
+  EXPECT_FALSE(cache.find(hashKeyOf("c")));
+  cache.store(hashKeyOf("a"), makeBytes(10, 3)); // replaced
+  EXPECT_EQ(Cache(temp.path() / "deep" / "cache").find(hashKeyOf("a")), makeBytes(10, 3));
 }
 
 TEST(Cache, DisabledFindsAndWritesNothing) {
   const Cache cache = Cache::disabled();
   EXPECT_FALSE(cache.enabled());
-  cache.store(keyOf("a"), makeBytes(10, 1));
-  EXPECT_FALSE(cache.find(keyOf("a")));
+  cache.store(hashKeyOf("a"), makeBytes(10, 1));
+  EXPECT_FALSE(cache.find(hashKeyOf("a")));
 }
 
 TEST(Cache, EveryDamagedByteIsAMissAndTheEntryIsLeftAlone) {
   const TempFolder temp;
   const Cache cache(temp.path());
-  const std::string key = keyOf("a");
+  const std::string key = hashKeyOf("a");
   const Bytes content = makeBytes(60, 1);
   const Bytes whole = readFile(storeAlone(temp.path(), cache, key, content));
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -98,7 +98,7 @@ TEST(Cache, EveryDamagedByteIsAMissAndTheEntryIsLeftAlone) {
 TEST(Cache, TruncatedAndOverlongEntriesAreMissesUntilTheyAreStoredAgain) {
   const TempFolder temp;
   const Cache cache(temp.path());
-  const std::string key = keyOf("a");
+  const std::string key = hashKeyOf("a");
   const Bytes content = makeBytes(60, 1);
   const Bytes whole = readFile(storeAlone(temp.path(), cache, key, content));
   for (const std::size_t size :

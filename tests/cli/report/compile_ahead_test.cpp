@@ -1,0 +1,52 @@
+// While an environment is prepared, shaders are compiled by another in its place: the same ones that are needed then.
+#include <set>
+
+#include "cli/checks.h"
+
+namespace parity::tests {
+namespace {
+
+class CompileAheadTest : public RenderingTest {
+protected:
+  struct Run {
+    std::string err, report;
+    std::set<std::string> shaders; // that the driver has compiled: its cache's files
+  };
+  Run reportOf(const std::string& scene, const std::string& name, const std::vector<std::string>& more) const {
+    const std::filesystem::path shaders = m_folder / (name + " shaders"), out = m_folder / name;
+    RunOptions options;
+    options.environment = {{"MESA_SHADER_CACHE_DIR", shaders.string()}, {"MESA_SHADER_CACHE_DISABLE", "false"}};
+    const RunResult result = runParity(join({{"report", scene, "--env", "builtin:studio", "--no-cache", "--timings",
+                                              "--attribution", "over-budget", "-o", out.string()},
+                                             kSmall,
+                                             more}),
+                                       options);
+    EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
+    Run run{.err = result.err, .report = readWholeFile(out / "report.json"), .shaders = {}};
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(shaders))
+      if (entry.is_regular_file() && entry.path().filename() != "index")
+        run.shaders.insert(entry.path().filename().string());
+    return run;
+  }
+};
+
+// Glass, too, which reads the picture behind it. One thread prepares first, and compiles then.
+TEST_F(CompileAheadTest, CompilesWhatIsNeededAndNothingElse) {
+  GltfFile file = makeQuad();
+  file.material()["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}};
+  file.json["extensionsUsed"] = {"KHR_materials_transmission"};
+  const std::string glass = writeEmbedded(m_folder, std::move(file), "glass");
+  for (const std::string& scene : {std::string("builtin:spheres"), glass}) {
+    const std::string name = scene == glass ? "glass" : "spheres";
+    const Run ahead = reportOf(scene, name + " ahead", {}),
+              after = reportOf(scene, name + " after", {"--threads", "1"});
+    EXPECT_TRUE(contains(ahead.err, "compile ahead")) << ahead.err;
+    EXPECT_FALSE(contains(after.err, "compile ahead")) << after.err;
+    EXPECT_GE(after.shaders.size(), 4u) << "two of the surfaces, one of each path, at least";
+    EXPECT_EQ(ahead.shaders, after.shaders) << scene;
+    EXPECT_EQ(ahead.report, after.report) << scene;
+  }
+}
+
+} // namespace
+} // namespace parity::tests
