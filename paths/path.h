@@ -100,7 +100,7 @@ public:
   virtual ~Renderer() = default;
 
   virtual gpu::ShadedSurface shade(const gpu::Surface& surface, const scenes::Camera& camera) const = 0;
-  // It also compiles the shaders ahead (gpu::ShadingPass::compile).
+  // Its compile() makes the path's shaders ahead.
   virtual const gpu::ShadingPass& pass() const = 0;
   // Pairs of an image and a sampler that a permutation binds.
   virtual std::size_t countSamplers(const gpu::Permutation& permutation) const = 0;

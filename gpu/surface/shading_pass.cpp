@@ -13,7 +13,7 @@ namespace parity::gpu {
 namespace {
 
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
-constexpr std::size_t kConstantTerms = 6; // kWriteTerms of path.glsl
+constexpr std::size_t kConstantTerms = 6; // kWriteTerms of path.glsl: the place in constantsOf
 
 struct Push {
   std::uint32_t first = 0, count = 0, planeSize = 0, firstGroup = 0;

@@ -121,7 +121,7 @@ lighting::SunExtraction extractSuns(Context& context, const SceneRequest& reques
 }
 
 // To `lights`, which all paths have, come what was extracted, and the environments that go with them.
-// They are prepared on other threads, as far as there are any.
+// Another thread prepares them, if there is more than one.
 void addEnvironment(Context& context, lighting::SunExtraction&& found, const PathChoice& paths,
                     PreparedScene& prepared) {
   const auto extraction = std::make_shared<lighting::SunExtraction>(std::move(found));
@@ -131,6 +131,7 @@ void addEnvironment(Context& context, lighting::SunExtraction&& found, const Pat
   std::optional<std::size_t> oneSun;
   if (const auto brightest = scenes::brightestOf(prepared.lights, scenes::LightKind::directional); brightest >= own)
     oneSun = *brightest - own;
+  std::vector<std::pair<std::string, paths::LightNeeds>> wanted;
   const bool isReplaced = paths.bakes || (prepared.baked && !prepared.baked->captures.empty());
   for (const paths::Path* path : paths.chosen) {
     const paths::LightNeeds needs = path->lightNeeds(prepared.settings.options);
@@ -141,11 +142,7 @@ void addEnvironment(Context& context, lighting::SunExtraction&& found, const Pat
       light.lights.push_back(prepared.lights[own + *oneSun]);
     if (isReplaced) continue;
     ++prepared.work.prefilteredMaps;
-    prepared.pendingEnvironments[path->name()] = std::async(
-        base::threadCount() > 1 ? std::launch::async : std::launch::deferred, [&context, extraction, needs, oneSun] {
-          return needs.hasOneSun ? context.environmentLight(lighting::putBackSuns(*extraction, oneSun), needs.prefilter)
-                                 : context.environmentLight(extraction->environment, needs.prefilter);
-        });
+    wanted.push_back({path->name(), needs});
     if (needs.cells)
       light.cells =
           std::make_shared<const lighting::PanoramaCells>(lighting::makePanoramaCells(extraction->environment));
@@ -154,7 +151,19 @@ void addEnvironment(Context& context, lighting::SunExtraction&& found, const Pat
     const std::string text = describe(*extraction);
     prepared.sunText = prepared.sunText == "none" ? text : prepared.sunText + "; " + text;
   }
-  if (paths.truth || paths.bakes || prepared.baked) prepared.panorama = extraction->environment;
+  if (!wanted.empty())
+    prepared.pendingEnvironments =
+        std::async(base::threadCount() > 1 ? std::launch::async : std::launch::deferred, [&context, extraction, oneSun,
+                                                                                          wanted] {
+          std::map<std::string, std::shared_ptr<const lighting::EnvironmentLight>> made;
+          for (const auto& [path, needs] : wanted)
+            made[path] = needs.hasOneSun
+                             ? context.environmentLight(lighting::putBackSuns(*extraction, oneSun), needs.prefilter)
+                             : context.environmentLight(extraction->environment, needs.prefilter);
+          return made;
+        }).share();
+  if (!paths.truth && !paths.bakes && !prepared.baked) return;
+  prepared.panorama = wanted.empty() ? std::move(extraction->environment) : extraction->environment;
 }
 
 scenes::Scene loadSubject(const SceneRequest& request) {
@@ -174,14 +183,13 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
 }
 
 bool isLightReady(const PreparedScene& prepared) {
-  return std::ranges::all_of(prepared.pendingEnvironments, [](const auto& pending) {
-    return pending.second.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
-  });
+  return !prepared.pendingEnvironments.valid() ||
+         prepared.pendingEnvironments.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
 }
 
 void finishLight(PreparedScene& prepared) {
-  for (auto& [path, pending] : prepared.pendingEnvironments) prepared.lightOfPath[path].environment = pending.get();
-  prepared.pendingEnvironments.clear();
+  if (const auto pending = std::exchange(prepared.pendingEnvironments, {}); pending.valid())
+    for (const auto& [path, environment] : pending.get()) prepared.lightOfPath[path].environment = environment;
   if (!prepared.pendingFile.empty()) requireLight(prepared, std::exchange(prepared.pendingFile, {}));
 }
 
@@ -252,6 +260,7 @@ PreparedScene beginScene(Context& context, const SceneRequest& request, const Pa
     prepared.panorama.reset();
   }
   if (prepared.isLit || !hasSky) prepared.pendingFile = request.scene; // an unlit scene's sky was not filtered
+  if (!prepared.pendingEnvironments.valid()) finishLight(prepared);
   return prepared;
 }
 

@@ -35,8 +35,9 @@ struct PreparedScene {
   Work work;                            // done so far
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 
-  // What finishLight takes: the environments of lightOfPath, and the file of the scene.
-  std::map<std::string, std::shared_future<std::shared_ptr<const lighting::EnvironmentLight>>> pendingEnvironments;
+  // What finishLight takes: the environments of lightOfPath by the path's name, if they are being prepared, and the
+  // scene's file, if its light is still to be looked at.
+  std::shared_future<std::map<std::string, std::shared_ptr<const lighting::EnvironmentLight>>> pendingEnvironments;
   std::string pendingFile;
 };
 
@@ -52,12 +53,12 @@ bool tracesScene(const PreparedScene& prepared);
 // be read, for an empty scene and for one with nothing that gives light; usage for a glob that no material matches.
 PreparedScene prepareScene(Context& context, const SceneRequest& request, const PathChoice& paths);
 
-// The same in two steps. Between them the environments of lightOfPath are missing, and other threads prepare them; the
-// context must outlive that.
+// The same in two steps. Between them another thread prepares the environments of lightOfPath, and they are missing;
+// the context must outlive that. With one thread finishLight itself prepares them.
 PreparedScene beginScene(Context& context, const SceneRequest& request, const PathChoice& paths);
-// Whether finishLight need not wait.
+// Whether no other thread is at work for it.
 bool isLightReady(const PreparedScene& prepared);
-// Waits. Throws Error (exit 4) for a scene with nothing that gives light. A second call does nothing.
+// Waits for the environments. Throws Error (exit 4) for a scene with nothing that gives light.
 void finishLight(PreparedScene& prepared);
 
 // For SceneRenderer's onLastRead: frees the pixels of an image. Empty where the truth will read them, where it

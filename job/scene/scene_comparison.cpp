@@ -182,6 +182,7 @@ private:
     scene.inputs = prepared.scene.sources;
     result.environment = prepared.environmentName;
     result.sun = prepared.sunText;
+    result.warnings = prepared.scene.warnings;
     const auto addLight = [&](const std::string& text) { result.light += (result.light.empty() ? "" : "; ") + text; };
     if (prepared.baked) addLight(fmt::format("baked: {}; ASTC {}", prepared.baked->settings, prepared.baked->astc));
     const auto saySceneLight = [&] { // of a light that is finished

@@ -25,7 +25,7 @@ public:
     std::uint32_t hiddenFeatures = 0; // lobes to leave out
     std::uint64_t expectedPixels = 0;
     gpu::PermutationBudget budget{};
-    std::shared_ptr<gpu::PermutationPlan> plan = nullptr; // of another of the path, so that it needs the same shaders
+    std::shared_ptr<gpu::PermutationPlan> plan = nullptr; // of another renderer of the path, to need the same shaders
     const paths::Light* light = nullptr;                  // in place of the scene's
   };
   // options: the path's own, and those of other paths. What renderers share is uploaded once. They must not outlive

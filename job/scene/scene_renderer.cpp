@@ -8,7 +8,6 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "job/scene/stand_in_light.h"
 #include "job/view/term_variants.h"
 
 namespace parity::job {
@@ -26,7 +25,7 @@ std::size_t partsOf(const Settings& settings) {
          static_cast<std::size_t>(settings.samples);
 }
 
-// Entries of surfaces that wait to be shaded again: two of each pixel of a tile.
+// Entries of surfaces that wait to be looked at or shaded again: two of each pixel of a tile.
 constexpr std::size_t kMaxKeptEntries = 2 * std::size_t{gpu::kMaxTilePixels};
 
 } // namespace
@@ -64,45 +63,8 @@ SceneRenderer::SceneRenderer(Context& context, PreparedScene& prepared, const sc
   makeRenderers();
 }
 
-// In the order of render(), so that the plans become the same.
-void SceneRenderer::compileAhead(const scenes::Camera& camera) {
-  const base::Stopwatch watch(&m_context.timings(), "compile ahead");
-  m_standIns.reserve(m_choice.chosen.size()); // renderers refer to them
-  std::vector<std::unique_ptr<paths::Renderer>> renderers;
-  for (const paths::Path* path : m_choice.chosen) {
-    m_standIns.push_back(standInLight(lightOf(m_prepared, *path), path->lightNeeds(m_settings.options)));
-    SceneOnDevice::RendererWish wish{.terms = m_shadesTerms, .intermediate = m_choice.intermediate};
-    if (m_prepared.pendingEnvironments.contains(path->name())) wish.light = &m_standIns.back();
-    renderers.push_back(makeRenderer(*path, wish, m_views));
-    m_plans.push_back(renderers.back()->pass().plan());
-  }
-  const auto compile = [&](const gpu::VisibleLayers& visible, const auto& isWanted) {
-    m_scene.requireTextures(visible);
-    for (std::size_t k = 0; k < visible.layers.size(); ++k) {
-      const gpu::Surface surface = resolve(visible, k, camera);
-      for (const auto& renderer : renderers)
-        if (isWanted(*renderer)) renderer->pass().compile(surface, camera);
-    }
-  };
-  const gpu::Tile tile =
-      gpu::makeTiles(static_cast<std::uint32_t>(m_settings.width), static_cast<std::uint32_t>(m_settings.height))
-          .front();
-  const glm::vec2 sample = gpu::samplePositions(m_settings.samples, m_settings.filterWidth).front();
-  const auto readsBackdrop = [](const paths::Renderer& renderer) { return renderer.readsBackdrop(); };
-  std::optional<gpu::Backdrop> backdrop; // of the kind of the one to come
-  if (m_choice.intermediate == 0 &&
-      std::ranges::any_of(renderers, [&](const auto& each) { return readsBackdrop(*each); })) {
-    compile(m_scene.surfacePass().rasteriseBehind(camera, tile, sample), readsBackdrop);
-    gpu::BackdropBuilder builder(static_cast<std::uint32_t>(m_settings.width),
-                                 static_cast<std::uint32_t>(m_settings.height), m_settings.samples);
-    backdrop.emplace(builder.take(m_context.device()));
-    for (const auto& renderer : renderers)
-      if (readsBackdrop(*renderer)) renderer->setBackdrop(&*backdrop);
-  }
-  compile(rasterise(camera, tile, sample), [](const paths::Renderer&) { return true; });
-}
-
 void SceneRenderer::makeRenderers() {
+  assert(!m_prepared.pendingEnvironments.valid() && "finishLight comes first");
   for (std::size_t i = 0; i < m_choice.chosen.size(); ++i) {
     SceneOnDevice::RendererWish wish{.terms = m_shadesTerms, .intermediate = m_choice.intermediate};
     if (!m_plans.empty()) wish.plan = m_plans[i];
@@ -302,7 +264,9 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
   PathState &first = m_paths.front(), &other = m_paths[path];
   const auto shadeAgain = [&](PathState& by, const gpu::Surface& surface) {
     // For one view: whether there will be another is not known.
-    if (!by.withTerms) by.withTerms = makeRenderer(*by.path, {.terms = true}, 1);
+    if (!by.withTerms)
+      by.withTerms =
+          makeRenderer(*by.path, {.terms = true, .plan = m_shadesTerms ? by.plain->pass().plan() : nullptr}, 1);
     by.giveBackdrop(*by.withTerms);
     return by.withTerms->shade(surface, camera);
   };

@@ -20,8 +20,9 @@ public:
   // settings, `prepared` and onLastRead: as of SceneOnDevice.
   SceneRenderer(Context& context, const PreparedScene& prepared, const Settings& settings, const PathChoice& paths,
                 std::size_t views, const gpu::PermutationBudget& budget = {}, gpu::ImageDone onLastRead = {});
-  // Of beginScene, by the settings of `prepared`: finishes its light, and until that is ready compiles what the first
-  // view needs. Throws as finishLight.
+  // Of beginScene, by the settings of `prepared`: finishes its light. Until that is ready it compiles what the first
+  // view needs, if that is a picture in one part: one part of several does not tell what all need. Throws as
+  // finishLight.
   SceneRenderer(Context& context, PreparedScene& prepared, const scenes::Camera& firstView, const PathChoice& paths,
                 std::size_t views, const gpu::PermutationBudget& budget, gpu::ImageDone onLastRead);
 
@@ -91,7 +92,7 @@ private:
   // By every path, laid over what is in `view` already. Returns what each path, without the what-ifs, made of it.
   std::vector<gpu::ShadedSurface> shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
                                         const reference::Progress& progress, ViewBuilder& view);
-  // A layer of the last view, and it by every path with its terms; empty where those are not kept.
+  // A layer of the last view. shaded: what each path made of it, with terms; empty where they are not kept.
   struct KeptLayer {
     gpu::Surface surface;
     std::vector<gpu::ShadedSurface> shaded;
@@ -116,9 +117,8 @@ private:
   Work m_work, m_again;                 // by render and by addTerms
   std::vector<paths::Light> m_standIns; // what compileAhead lit by; must not end before m_scene
   SceneOnDevice m_scene;
-  std::vector<std::shared_ptr<gpu::PermutationPlan>>
-      m_plans;                   // of each path, of what was compiled ahead; empty: nothing
-  bool m_mayAddTerms = false;    // to views with materials over their budgets
+  std::vector<std::shared_ptr<gpu::PermutationPlan>> m_plans; // the paths' by compileAhead; empty where it did not run
+  bool m_mayAddTerms = false;                                 // to views with materials over their budgets
   bool m_shadesTerms = false;    // the plain renderers write them: the settings ask for them, or addTerms may
   bool m_mayDropLobes = false;   // and the run wants to know what they are worth
   std::vector<KeptLayer> m_kept; // all of the last view, where it may be shaded again: a picture in one part

@@ -5,8 +5,8 @@
 
 namespace parity::job {
 
-// The path's light with a small environment of the same kind: the path needs the same shaders for it, if the
-// environment to come has lamps, and sides that are powers of two.
+// light: with its cells, if the path needs them, and without its environment. The result has a small environment of
+// the kind of the one to come: the path needs the same shaders for both.
 paths::Light standInLight(const paths::Light& light, const paths::LightNeeds& needs);
 
 } // namespace parity::job

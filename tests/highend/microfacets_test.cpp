@@ -192,8 +192,7 @@ TEST_F(HighendTest, SunsOnSmoothBrushedMetalScatterMoreThanOnce) {
   EXPECT_NEAR(more, 1 - E, 0.03f * (1 - E));
 }
 
-// A shader that scenes share has every lobe, also those that a scene has no tables for.
-// Among many scenes, too: a scene with lobes shares no shader.
+// A scene with lobes shares no shader.
 TEST_F(HighendTest, MicrofacetsAmongManyScenesAreWhatTheyAreAlone) {
   const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 1);
   const base::Image lut = makeEnvBrdfLut(GeometryTerm::heightCorrelated);

@@ -118,7 +118,7 @@ TEST_F(AttributionTest, ATermThatIsNotANumberIsNamed) {
 }
 
 // The shaders of a picture in one part write the terms, which are looked at where something is over budget.
-TEST_F(AttributionTest, NothingIsShadedTwice) {
+TEST_F(AttributionTest, APictureInOnePartIsShadedOnce) {
   const std::string quad = writeMetal(0.6);
   const Json within = diff(quad, join({kSun, {"--budgets", writeBudgets(m_folder, "fail = 0.999")}}));
   EXPECT_EQ(whyNotAttributed(within), "no material is over budget");
@@ -164,7 +164,7 @@ TEST_F(AttributionTest, AllAttributesWhatIsSeenAndShadesOnce) {
   }
 }
 
-// A view where the material over budget is not seen is shaded without terms.
+// A view that does not show the material over budget is not attributed.
 TEST_F(AttributionTest, OnlyTheViewsThatNeedItAreAttributed) {
   GltfFile file = makeQuad();
   file.json["materials"].push_back({{"name", "far"}});
