@@ -37,8 +37,8 @@ struct PermutationBudget {
   bool shares = false; // materials without one of their own take that of every scene, which counts once a run
   bool operator==(const PermutationBudget&) const = default;
 
-  // Of a scene that is shaded with lobes (PARITY_LOBES of path.glsl): it shares none. A shader with every lobe of every
-  // scene takes some 8 s to compile, those of the lobes that a scene has 1 to 2 s.
+  // Of a scene that is shaded with lobes (PARITY_LOBES of path.glsl). It shares none: a shader with every lobe of every
+  // scene takes longer to compile than those that the scene needs (docs/benchmarks.md: nine assets).
   PermutationBudget withLobes() const;
 };
 // Of the scene at this place among so many: all are dealt out evenly; among more scenes than there are permutations one

@@ -2,6 +2,7 @@
 #include "job/scene/scene_renderer.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "job/scene/stand_in_light.h"
 
@@ -23,11 +24,11 @@ void SceneRenderer::compileAhead(const scenes::Camera& camera) {
     m_scene.requireTextures(visible);
     for (std::size_t k = 0; k < visible.layers.size(); ++k) {
       const gpu::Surface surface = resolve(visible, k, camera);
-      for (const auto& renderer : renderers)
-        if (isWanted(*renderer)) {
-          m_context.requireGoesOn();
-          renderer->pass().compile(surface, camera);
-        }
+      for (const auto& renderer : renderers) {
+        if (!isWanted(*renderer)) continue;
+        m_context.requireGoesOn();
+        renderer->pass().compile(surface, camera);
+      }
     }
   };
   const gpu::Tile tile =

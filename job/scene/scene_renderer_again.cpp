@@ -1,0 +1,110 @@
+// Looks at the view that was rendered last once more: by its terms, without a light, without a lobe.
+#include "job/scene/scene_renderer.h"
+
+#include <cassert>
+
+#include "job/view/term_variants.h"
+
+namespace parity::job {
+
+void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes::Camera& camera,
+                             const std::vector<std::size_t>& materials) {
+  const Settings& settings = m_settings;
+  assert(path > 0 && !settings.terms);
+  PathState &first = m_paths.front(), &other = m_paths[path];
+  const auto shadeAgain = [&](PathState& by, const gpu::Surface& surface) {
+    // For one view: whether there will be another is not known.
+    if (!by.withTerms)
+      by.withTerms =
+          makeRenderer(*by.path, {.terms = true, .plan = m_shadesTerms ? by.plain->pass().plan() : nullptr}, 1);
+    by.giveBackdrop(*by.withTerms);
+    return by.withTerms->shade(surface, camera);
+  };
+  gpu::FrameBuilder firstFrame = makeFrame(true), otherFrame = makeFrame(true);
+  std::vector<char> wanted(m_prepared.scene.materials.size(), 0);
+  for (const std::size_t material : materials) wanted[material] = 1;
+  gpu::SwapBuilder variants(m_scene.buffers().materialOfInstance(), m_prepared.scene.materials.size(),
+                            static_cast<std::uint32_t>(settings.width), settings.samples,
+                            std::vector<glm::vec3>(1 + m_scene.buffers().termCount(), settings.background),
+                            std::nullopt, std::move(wanted));
+  const auto compose = [&](const gpu::Surface& surface, const gpu::ShadedSurface& a, const gpu::ShadedSurface& b) {
+    firstFrame.lay(surface, a);
+    otherFrame.lay(surface, b);
+    variants.lay(surface, a, b, TermVariants(surface, a, b).planes());
+  };
+  const auto lay = [&](const KeptLayer& layer) {
+    const base::Stopwatch watch(&m_context.timings(), "shade terms");
+    m_again.termSamples += 2 * layer.surface.size(); // that are looked at, whenever they were shaded
+    if (!layer.shaded.empty()) return compose(layer.surface, layer.shaded.front(), layer.shaded[path]);
+    const gpu::ShadedSurface a = shadeAgain(first, layer.surface), b = shadeAgain(other, layer.surface);
+    compose(layer.surface, a, b);
+  };
+  layAgain(camera, m_again,
+           {[&](const gpu::Tile& tile) { firstFrame.begin(tile), otherFrame.begin(tile), variants.begin(tile); }, lay,
+            [&] { firstFrame.end(), otherFrame.end(), variants.end(); }});
+  frames.paths.front().frame.terms = firstFrame.take().terms;
+  frames.paths[path].frame.terms = otherFrame.take().terms;
+  frames.paths[path].termVariants = variants.take(frames.coverage, {});
+}
+
+base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera& camera) {
+  assert(m_mayDropLights);
+  PathState& first = m_paths.front();
+  if (!first.switched)
+    first.switched = makeRenderer(*first.path, {.terms = m_shadesTerms, .plan = first.plain->pass().plan()}, m_views);
+  gpu::FrameBuilder frame = makeFrame(false);
+  first.switched->switchLight(light, false);
+  first.giveBackdrop(*first.switched);
+  const auto lay = [&](const KeptLayer& layer) {
+    const base::Stopwatch watch(&m_context.timings(), "shade without a light");
+    frame.lay(layer.surface, first.switched->shade(layer.surface, camera));
+  };
+  layAgain(camera, m_work, {[&](const gpu::Tile& tile) { frame.begin(tile); }, lay, [&] { frame.end(); }});
+  first.switched->switchLight(light, true);
+  ++m_work.lightPictures;
+  return frame.take().color;
+}
+
+base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scenes::Camera& camera) {
+  PathState& first = m_paths.front();
+  std::unique_ptr<paths::Renderer>& without = first.without[features];
+  if (!without) without = makeRenderer(*first.path, {.hiddenFeatures = features}, m_views);
+  first.giveBackdrop(*without);
+  gpu::FrameBuilder frame = makeFrame(false);
+  const auto lay = [&](const KeptLayer& layer) {
+    const base::Stopwatch watch(&m_context.timings(), "shade without a lobe");
+    frame.lay(layer.surface, without->shade(layer.surface, camera));
+  };
+  layAgain(camera, m_work, {[&](const gpu::Tile& tile) { frame.begin(tile); }, lay, [&] { frame.end(); }});
+  ++m_work.lobePictures;
+  return frame.take().color;
+}
+
+gpu::FrameBuilder SceneRenderer::makeFrame(bool terms) const {
+  const Settings& settings = m_settings;
+  return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height), settings.samples,
+          terms ? m_scene.buffers().termCount() : 0, settings.background};
+}
+
+void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Composition& composition) {
+  const Settings& settings = m_settings;
+  for (const gpu::Tile& tile :
+       gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)))
+    for (const glm::vec2& sample : gpu::samplePositions(settings.samples, settings.filterWidth)) {
+      m_context.requireGoesOn();
+      composition.begin(tile);
+      if (!m_kept.empty()) {
+        for (const KeptLayer& layer : m_kept) composition.lay(layer);
+      } else {
+        const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
+        for (std::size_t k = 0; k < visible.layers.size(); ++k) {
+          const KeptLayer layer{resolve(visible, k, camera), {}};
+          countSurface(layer.surface, work);
+          composition.lay(layer);
+        }
+      }
+      composition.end();
+    }
+}
+
+} // namespace parity::job

@@ -1,0 +1,88 @@
+// What the driver compiles: ahead of shading, and for a shader without terms.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "base/temp_folder.h"
+#include "highend/highend_quad.h"
+
+namespace parity::highend {
+namespace {
+
+using tests::makeConstantEnvironment, tests::makeQuadScene;
+
+class CompileTest : public tests::DeviceTest {
+protected:
+  void SetUp() override {
+    setenv("MESA_SHADER_CACHE_DIR", m_folder.path().c_str(), 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "false", 1);
+    DeviceTest::SetUp();
+    if (!IsSkipped() && device().report().kind != "cpu") GTEST_SKIP() << "counts what Mesa's software driver keeps";
+  }
+  // The driver writes its files from another thread: until half a second has brought none.
+  std::size_t countCompiled() const {
+    std::size_t before = 0;
+    for (int round = 0; round < 40; ++round) {
+      std::size_t files = 0;
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(m_folder.path()))
+        files += entry.is_regular_file() && entry.path().filename() != "index";
+      if (round > 0 && files == before) return files;
+      before = files;
+      std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    }
+    ADD_FAILURE() << "the driver goes on writing";
+    return before;
+  }
+
+  base::TempFolder m_folder;
+};
+
+TEST_F(CompileTest, AheadIsWhatShadingNeedsAndRunsNothing) {
+  constexpr std::uint32_t kSize = 8;
+  const scenes::Scene scene = makeQuadScene();
+  const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
+  const gpu::SceneBuffers buffers(device(), scene, gpu::SpecularAa::off);
+  const gpu::SurfacePass pass(device(), buffers, kSize, kSize);
+  const gpu::Surface surface = std::move(pass.render(camera, {0, kSize}, glm::vec2(0.5f)).back());
+  const gpu::EnvironmentMaps sky = makeConstantEnvironment(device(), 1);
+  const base::Image lut = constantLut(0.5f, 0.1f);
+  Inputs inputs{.environment = &sky, .lut = &lut, .lights = {}};
+  inputs.compilation.store = &pipelines();
+  const Renderer ahead(device(), buffers, pass.binKinds(), inputs, {});
+  const std::size_t before = countCompiled();
+  ahead.pass().compile(surface, camera);
+  const std::size_t compiled = countCompiled();
+  EXPECT_EQ(compiled, before + 1);
+
+  inputs.compilation.plan = ahead.pass().plan();
+  const Renderer renderer(device(), buffers, pass.binKinds(), inputs, {});
+  const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
+  ASSERT_EQ(shaded.color.size(), surface.size());
+  EXPECT_GT(shaded.color[0].x, 0);
+  EXPECT_EQ(countCompiled(), compiled) << "it was compiled already";
+  EXPECT_EQ(pipelines().keys().size(), 1u);
+}
+
+TEST_F(CompileTest, ConstantsWithoutTermsAreThoseOfAShaderThatWritesNone) {
+  const scenes::Scene scene = makeQuadScene();
+  const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
+  const gpu::SceneBuffers buffers(device(), scene, gpu::SpecularAa::off);
+  const gpu::SurfacePass pass(device(), buffers, 8, 8);
+  const gpu::Surface surface = std::move(pass.render(camera, {0, 8}, glm::vec2(0.5f)).back());
+  const auto compiledBy = [&](bool terms) {
+    Inputs inputs{.lights = {tests::makeDirectional(glm::vec3(0, 0, 1), glm::vec3(1))}, .terms = terms};
+    const Renderer renderer(device(), buffers, pass.binKinds(), inputs, kPlain);
+    renderer.shade(surface, camera);
+    return renderer.pass().compiled().front();
+  };
+  const gpu::CompiledPermutation with = compiledBy(true), without = compiledBy(false);
+  EXPECT_NE(with.constants, without.constants);
+  EXPECT_EQ(with.constantsWithoutTerms(), without.constants);
+  EXPECT_EQ(without.constantsWithoutTerms(), without.constants);
+}
+
+} // namespace
+} // namespace parity::highend
