@@ -39,8 +39,13 @@ constexpr Bounds kNowhere{glm::vec3(std::numeric_limits<float>::infinity()),
                           glm::vec3(-std::numeric_limits<float>::infinity())};
 
 void extend(Bounds& bounds, const Instance& instance, const Mesh& mesh) {
-  for (std::uint32_t index : mesh.indices) { // not over positions: a vertex that no triangle uses is not seen
-    const glm::vec3 p = glm::vec3(instance.toWorld * glm::vec4(mesh.positions[index], 1.f));
+  const glm::vec3 x(instance.toWorld[0]), y(instance.toWorld[1]), z(instance.toWorld[2]), origin(instance.toWorld[3]);
+  std::vector<bool> isDone(mesh.positions.size());
+  for (const std::uint32_t index : mesh.indices) { // not over positions: a vertex that no triangle uses is not seen
+    if (isDone[index]) continue;
+    isDone[index] = true;
+    const glm::vec3& at = mesh.positions[index];
+    const glm::vec3 p = (x * at.x + y * at.y) + (z * at.z + origin); // the sums of toWorld * at, in their order
     bounds.lower = glm::min(bounds.lower, p);
     bounds.upper = glm::max(bounds.upper, p);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gpu/spirv/spirv_specialize.h"
+
 namespace parity::gpu {
 
 namespace {
@@ -59,14 +61,9 @@ vk::raii::PipelineLayout makePipelineLayout(const Device& device, std::span<cons
 
 vk::raii::Pipeline makeComputePipeline(const Device& device, const vk::raii::PipelineLayout& layout, Spirv spirv,
                                        std::span<const std::uint32_t> constants) {
-  const vk::raii::ShaderModule module(device.handle(),
-                                      vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
-  std::vector<vk::SpecializationMapEntry> entries;
-  for (std::uint32_t i = 0; i < constants.size(); ++i) entries.emplace_back(i, i * 4, 4);
-  const vk::SpecializationInfo specialization(static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                              constants.size_bytes(), constants.data());
-  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
-                                                &specialization);
+  const std::vector<std::uint32_t> words = specializeSpirv(spirv, constants);
+  const vk::raii::ShaderModule module(device.handle(), vk::ShaderModuleCreateInfo({}, words));
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
   return vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout));
 }
 

@@ -2,13 +2,13 @@
 
 #include <optional>
 #include <string>
-#include <unordered_map>
 
 #include <glslang/SPIRV/spirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
 #include "base/error.h"
 #include "gpu/spirv/spirv_count.h"
+#include "gpu/spirv/spirv_specialize.h"
 
 namespace parity::gpu {
 
@@ -32,14 +32,8 @@ Words optimize(std::span<const std::uint32_t> words, bool validate, const auto& 
 
 // Constants known, functions inlined, what cannot be reached gone.
 Words specialize(Spirv spirv, std::span<const std::uint32_t> constants) {
-  std::unordered_map<std::uint32_t, Words> values;
-  for (std::uint32_t id = 0; id < constants.size(); ++id) values[id] = {constants[id]};
-  return optimize(spirv, true, [&](spvtools::Optimizer& optimizer) {
-    optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
-        .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
-        .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
-        .RegisterPerformancePasses();
-  });
+  return optimize(specializeSpirv(spirv, constants), true,
+                  [](spvtools::Optimizer& optimizer) { optimizer.RegisterPerformancePasses(); });
 }
 
 // spirv-opt unrolls what is marked, and glslang marks nothing: so the short loops are.

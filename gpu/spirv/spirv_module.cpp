@@ -15,6 +15,7 @@ namespace parity::gpu {
 namespace {
 
 constexpr std::uint64_t kMostTrips = 1 << 20; // beyond them a loop's count is not known
+constexpr std::uint32_t kMostIds = 0x3fffff;  // SPIR-V 2.16, universal limits
 
 // Whether a counter of value `a` against the constant `b` stays in the comparison.
 std::optional<bool> compare(std::uint32_t opcode, std::int64_t a, std::int64_t b) {
@@ -90,6 +91,10 @@ SpirvModule::SpirvModule(std::vector<std::uint32_t> words) : m_words(std::move(w
     throw base::Error(base::ExitCode::failed, "SPIR-V", fmt::format("word {}", word), reason);
   };
   if (m_words.size() < 5 || m_words[0] != spv::MagicNumber) refuse(0, "is not where a module begins");
+  const std::uint32_t bound = m_words[3];
+  if (bound > kMostIds) refuse(3, "more ids than a module can have");
+  m_definitions.assign(bound, kNone);
+  m_blockOfLabel.assign(bound, kNone);
   for (std::size_t at = 5; at < m_words.size();) {
     const std::uint32_t length = m_words[at] >> spv::WordCountShift;
     if (length == 0 || at + length > m_words.size()) refuse(at, "an instruction of impossible length");
@@ -98,14 +103,22 @@ SpirvModule::SpirvModule(std::vector<std::uint32_t> words) : m_words(std::move(w
     instruction.word = at;
     bool hasResult = false, hasType = false;
     spv::HasResultAndType(static_cast<spv::Op>(instruction.opcode), &hasResult, &hasType);
+    if (instruction.opcode == spv::OpLine || instruction.opcode == spv::OpNoLine) {
+      at += length;
+      continue;
+    }
     std::size_t first = at + 1;
     if (length < 1u + (hasResult ? 1 : 0) + (hasType ? 1 : 0)) refuse(at, "an instruction too short for its result");
     if (hasType) instruction.type = m_words[first++];
     if (hasResult) {
       instruction.result = m_words[first++];
-      m_definitions[instruction.result] = m_instructions.size();
+      if (instruction.result >= bound) refuse(at, "an id beyond the bound");
+      m_definitions[instruction.result] = static_cast<std::uint32_t>(m_instructions.size());
     }
     instruction.operands = std::span(m_words).subspan(first, at + length - first);
+    if (instruction.opcode == spv::OpDecorate && instruction.operands.size() == 3 &&
+        instruction.operands[1] == spv::DecorationSpecId)
+      m_specIds[instruction.operands[0]] = instruction.operands[2];
     m_instructions.push_back(instruction);
     at += length;
   }
@@ -113,12 +126,16 @@ SpirvModule::SpirvModule(std::vector<std::uint32_t> words) : m_words(std::move(w
 }
 
 void SpirvModule::findBlocks() {
+  bool begins = false;
   for (std::size_t i = 0; i < m_instructions.size(); ++i) {
     const SpirvInstruction& instruction = m_instructions[i];
     const std::span<const std::uint32_t> operands = instruction.operands;
+    if (instruction.opcode == spv::OpFunction) begins = true;
     if (instruction.opcode == spv::OpLabel) {
-      m_blockOfLabel[instruction.result] = m_blocks.size();
-      m_blocks.push_back({.label = instruction.result, .begin = i + 1, .end = i + 1, .successors = {}});
+      m_blockOfLabel[instruction.result] = static_cast<std::uint32_t>(m_blocks.size());
+      m_blocks.push_back(
+          {.label = instruction.result, .isEntry = begins, .begin = i + 1, .end = i + 1, .successors = {}});
+      begins = false;
       continue;
     }
     if (m_blocks.empty() || instruction.opcode == spv::OpFunction || instruction.opcode == spv::OpFunctionParameter ||
@@ -140,8 +157,12 @@ void SpirvModule::findBlocks() {
 }
 
 const SpirvInstruction* SpirvModule::find(std::uint32_t id) const {
-  const auto found = m_definitions.find(id);
-  return found == m_definitions.end() ? nullptr : &m_instructions[found->second];
+  return id < bound() && m_definitions[id] != kNone ? &m_instructions[m_definitions[id]] : nullptr;
+}
+
+std::optional<std::uint32_t> SpirvModule::specIdOf(std::uint32_t id) const {
+  const auto found = m_specIds.find(id);
+  return found == m_specIds.end() ? std::nullopt : std::optional(found->second);
 }
 
 SpirvShape SpirvModule::shapeOfType(std::uint32_t type) const {
@@ -189,10 +210,10 @@ std::optional<std::int64_t> SpirvModule::integerConstant(std::uint32_t id) const
 
 std::vector<std::size_t> SpirvModule::blocksOfLoop(const SpirvBlock& header) const {
   // Structured control flow leaves a loop by its merge block alone.
-  std::vector<std::size_t> found = {m_blockOfLabel.at(header.label)};
+  std::vector<std::size_t> found = {blockOf(header.label)};
   for (std::size_t next = 0; next < found.size(); ++next)
     for (const std::uint32_t label : m_blocks[found[next]].successors) {
-      const std::size_t block = m_blockOfLabel.at(label);
+      const std::size_t block = blockOf(label);
       if (label != header.merge && std::find(found.begin(), found.end(), block) == found.end()) found.push_back(block);
     }
   return found;

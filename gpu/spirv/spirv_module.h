@@ -28,6 +28,7 @@ struct SpirvShape {
 // A basic block of a function.
 struct SpirvBlock {
   std::uint32_t label = 0;
+  bool isEntry = false;           // the first of its function
   std::size_t begin = 0, end = 0; // instructions after the label, the terminator included
   std::vector<std::uint32_t> successors;
   std::uint32_t merge = 0;     // of a loop's header, else 0
@@ -36,7 +37,8 @@ struct SpirvBlock {
 
 class SpirvModule {
 public:
-  // Throws Error (failed) for words that are no SPIR-V of this machine's byte order.
+  // Throws Error (failed) for words that are no SPIR-V of this machine's byte order. Lines of the source text (OpLine) are
+  // left out.
   explicit SpirvModule(std::vector<std::uint32_t> words);
   SpirvModule(const SpirvModule&) = delete;
   SpirvModule& operator=(const SpirvModule&) = delete;
@@ -44,8 +46,13 @@ public:
   const std::vector<std::uint32_t>& words() const { return m_words; }
   const std::vector<SpirvInstruction>& instructions() const { return m_instructions; }
   const std::vector<SpirvBlock>& blocks() const { return m_blocks; } // of all functions
+  std::uint32_t bound() const { return static_cast<std::uint32_t>(m_definitions.size()); } // ids are below it
+  // Index in blocks() of the block with that label, which must be one.
+  std::size_t blockOf(std::uint32_t label) const { return m_blockOfLabel[label]; }
+  const SpirvInstruction& terminatorOf(const SpirvBlock& block) const { return m_instructions[block.end - 1]; }
 
   const SpirvInstruction* find(std::uint32_t id) const; // what defines it; null: nothing
+  std::optional<std::uint32_t> specIdOf(std::uint32_t id) const; // the number of a specialization constant
   SpirvShape shapeOfType(std::uint32_t type) const;
   SpirvShape shapeOf(std::uint32_t value) const;                       // by the type of that id
   std::optional<std::int64_t> integerConstant(std::uint32_t id) const; // of 32 bits, by the sign of its type
@@ -58,12 +65,14 @@ public:
   std::vector<std::size_t> blocksOfLoop(const SpirvBlock& header) const;
 
 private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
   void findBlocks();
 
   std::vector<std::uint32_t> m_words;
   std::vector<SpirvInstruction> m_instructions;
   std::vector<SpirvBlock> m_blocks;
-  std::unordered_map<std::uint32_t, std::size_t> m_definitions, m_blockOfLabel;
+  std::unordered_map<std::uint32_t, std::uint32_t> m_specIds;
+  std::vector<std::uint32_t> m_definitions, m_blockOfLabel; // by id; kNone: has none
 };
 
 } // namespace parity::gpu
