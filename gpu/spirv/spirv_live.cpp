@@ -26,10 +26,9 @@ bool hasResultAlone(const SpirvInstruction& each) {
   case spv::OpCopyLogical:
     return true;
   default:
-    return isWithin(spv::OpVectorExtractDynamic, spv::OpTranspose) ||
-           isWithin(spv::OpSampledImage, spv::OpImageRead) || isWithin(spv::OpImage, spv::OpImageQuerySamples) ||
-           isWithin(spv::OpConvertFToU, spv::OpBitcast) || isWithin(spv::OpSNegate, spv::OpSMulExtended) ||
-           isWithin(spv::OpAny, spv::OpFUnordGreaterThanEqual) ||
+    return isWithin(spv::OpVectorExtractDynamic, spv::OpTranspose) || isWithin(spv::OpSampledImage, spv::OpImageRead) ||
+           isWithin(spv::OpImage, spv::OpImageQuerySamples) || isWithin(spv::OpConvertFToU, spv::OpBitcast) ||
+           isWithin(spv::OpSNegate, spv::OpSMulExtended) || isWithin(spv::OpAny, spv::OpFUnordGreaterThanEqual) ||
            isWithin(spv::OpShiftRightLogical, spv::OpBitCount) || isWithin(spv::OpDPdx, spv::OpFwidthCoarse);
   }
 }

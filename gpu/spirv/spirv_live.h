@@ -33,8 +33,8 @@ private:
 
   const SpirvModule& m_module;
   const SpirvValues& m_values;
-  std::vector<bool> m_needed;                      // by id
-  std::vector<std::uint32_t> m_blocks;             // by instruction: the label of its block; 0: does not run
+  std::vector<bool> m_needed;                       // by id
+  std::vector<std::uint32_t> m_blocks;              // by instruction: the label of its block; 0: does not run
   std::vector<std::vector<std::uint32_t>> m_stores; // by id of a function's variable: into it, as instructions
   std::vector<std::uint32_t> m_open;                // ids whose operands are still to be needed
 };

@@ -37,21 +37,21 @@ struct SpirvBlock {
 
 class SpirvModule {
 public:
-  // Throws Error (failed) for words that are no SPIR-V of this machine's byte order. Lines of the source text (OpLine) are
-  // left out.
+  // Throws Error (failed) for words that are no SPIR-V of this machine's byte order. Lines of the source text (OpLine)
+  // are left out.
   explicit SpirvModule(std::vector<std::uint32_t> words);
   SpirvModule(const SpirvModule&) = delete;
   SpirvModule& operator=(const SpirvModule&) = delete;
 
   const std::vector<std::uint32_t>& words() const { return m_words; }
   const std::vector<SpirvInstruction>& instructions() const { return m_instructions; }
-  const std::vector<SpirvBlock>& blocks() const { return m_blocks; } // of all functions
+  const std::vector<SpirvBlock>& blocks() const { return m_blocks; }                       // of all functions
   std::uint32_t bound() const { return static_cast<std::uint32_t>(m_definitions.size()); } // ids are below it
   // Index in blocks() of the block with that label, which must be one.
   std::size_t blockOf(std::uint32_t label) const { return m_blockOfLabel[label]; }
   const SpirvInstruction& terminatorOf(const SpirvBlock& block) const { return m_instructions[block.end - 1]; }
 
-  const SpirvInstruction* find(std::uint32_t id) const; // what defines it; null: nothing
+  const SpirvInstruction* find(std::uint32_t id) const;          // what defines it; null: nothing
   std::optional<std::uint32_t> specIdOf(std::uint32_t id) const; // the number of a specialization constant
   SpirvShape shapeOfType(std::uint32_t type) const;
   SpirvShape shapeOf(std::uint32_t value) const;                       // by the type of that id

@@ -61,8 +61,8 @@ private:
 
   bool runs(std::uint32_t label) const { return m_values.runs(m_module.blockOf(label)); }
 
-  // Whether a branch with a condition goes one way alone. A switch keeps its merge instruction: blocks in it may leave it
-  // from within others.
+  // Whether a branch with a condition goes one way alone. A switch keeps its merge instruction: blocks in it may leave
+  // it from within others.
   bool becomesPlain(std::size_t block) const {
     const SpirvBlock& of = m_module.blocks()[block];
     return m_module.terminatorOf(of).opcode == spv::OpBranchConditional && m_values.targetsOf(block).size() == 1;
@@ -99,9 +99,7 @@ private:
            (m_live.isNeeded(*of) && !m_values.valueOf(id));
   }
 
-  bool isInFunction(const SpirvInstruction& each) const {
-    return each.word >= m_firstFunctionWord;
-  }
+  bool isInFunction(const SpirvInstruction& each) const { return each.word >= m_firstFunctionWord; }
 
   void writeGlobal(const SpirvInstruction& each) {
     switch (each.opcode) {
@@ -194,8 +192,7 @@ private:
     for (std::size_t i = 0; i + 1 < phi.operands.size(); i += 2)
       if (m_values.goes(phi.operands[i + 1], label))
         m_words.insert(m_words.end(), {phi.operands[i], phi.operands[i + 1]});
-    if (const std::uint32_t back = stubBackOf(label))
-      m_words.insert(m_words.end(), {m_undefined.at(phi.type), back});
+    if (const std::uint32_t back = stubBackOf(label)) m_words.insert(m_words.end(), {m_undefined.at(phi.type), back});
     m_words[begin] = (static_cast<std::uint32_t>(m_words.size() - begin) << spv::WordCountShift) | spv::OpPhi;
   }
 

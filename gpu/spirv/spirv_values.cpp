@@ -22,8 +22,7 @@ SpirvValues::SpirvValues(const SpirvModule& module, std::span<const std::uint32_
     : m_module(module), m_states(module.bound(), State::unseen), m_values(module.bound()),
       m_runs(module.blocks().size()), m_targets(module.blocks().size()) {
   setConstants(constants);
-  for (std::size_t block = 0; block < module.blocks().size(); ++block)
-    m_runs[block] = module.blocks()[block].isEntry;
+  for (std::size_t block = 0; block < module.blocks().size(); ++block) m_runs[block] = module.blocks()[block].isEntry;
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t block = 0; block < module.blocks().size(); ++block)

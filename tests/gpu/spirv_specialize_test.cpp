@@ -31,7 +31,8 @@ struct Numbers {
 };
 
 std::vector<std::uint32_t> constantsOf(const Numbers& numbers) {
-  return {1, numbers.piece, numbers.first, numbers.second, numbers.switched, std::bit_cast<std::uint32_t>(numbers.scale)};
+  return {
+      1, numbers.piece, numbers.first, numbers.second, numbers.switched, std::bit_cast<std::uint32_t>(numbers.scale)};
 }
 
 std::string refusalOf(std::span<const std::uint32_t> words) {
@@ -146,7 +147,8 @@ TEST(SpirvFold, ComputesAsTheSpecificationDefines) {
 TEST(SpirvSpecialize, LeavesOutWhatCannotRun) {
   const Spirv all = kSpecializeComp;
   for (const std::uint32_t piece : {1u, 2u, 3u, 4u}) {
-    const std::vector<std::uint32_t> left = specializeSpirv(all, constantsOf({.piece = piece, .first = 2, .second = 4}));
+    const std::vector<std::uint32_t> left =
+        specializeSpirv(all, constantsOf({.piece = piece, .first = 2, .second = 4}));
     EXPECT_LT(left.size() * 2, all.size()) << "piece " << piece;
     EXPECT_EQ(left, specializeSpirv(all, constantsOf({.piece = piece, .first = 2, .second = 4})));
     const SpirvModule module(left);

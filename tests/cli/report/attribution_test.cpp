@@ -239,6 +239,7 @@ TEST_F(AttributionTest, ReportsDoNotDependOnWhatTheCacheHolds) {
     const RunResult result = runParity(
         join({{"report", quad, "--size", "48x48", "-o", folder.string(), "--budgets", writeBudgets(m_folder, limits)},
               kSun,
+              kRoughSky,
               more}));
     EXPECT_LE(result.exitCode, 2) << result.err;
     const Json info = Json::parse(readWholeFile(folder / "run.json"));
@@ -272,7 +273,8 @@ TEST_F(AttributionTest, AnAttributionThatTheCacheLacksIsRendered) {
   const auto run = [&](const std::string& limits) {
     const RunResult result = runParity(join({{"diff", quad, "--size", "48x48", "--json", "-", "-v", "--cache",
                                               path("cache"), "--budgets", writeBudgets(m_folder, limits)},
-                                             kSun}));
+                                             kSun,
+                                             kRoughSky}));
     return std::pair(sceneOf(result), contains(result.err, "taken from the cache"));
   };
   EXPECT_FALSE(run("fail = 0.999").second);

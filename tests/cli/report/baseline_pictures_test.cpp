@@ -15,6 +15,7 @@ protected:
   RunResult report(const std::string& folder, const std::vector<std::string>& more = {}) const {
     return runParity(join({{"report", "builtin:furnace", "-o", path(folder), "--size", "64x64", "--pixel-data", "none",
                             "--cache", path("cache")},
+                           kRoughSky,
                            more}));
   }
   json view(const std::string& folder) const { return readReport(m_folder / folder)["scenes"][0]["views"][0]; }

@@ -20,6 +20,7 @@ protected:
     const RunResult result = runParity(join({{"report", scene, "--env", "builtin:studio", "--no-cache", "--timings",
                                               "--attribution", "over-budget", "-o", out.string()},
                                              kSmall,
+                                             kRoughSky,
                                              more}),
                                        options);
     EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;

@@ -110,7 +110,7 @@ TEST_F(CacheTest, NoCacheNeitherReadsNorWritesOne) {
 TEST_F(CacheTest, DamagedEntryIsMadeAnewAndChangesNothing) {
   const std::filesystem::path cache = m_folder / "cache";
   const std::vector<std::string> command =
-      join({{"diff", "builtin:furnace", "--json", "-", "--cache", cache.string()}, kSmall});
+      join({{"diff", "builtin:furnace", "--json", "-", "--cache", cache.string()}, kSmall, kRoughSky});
   const RunResult filled = runParity(command);
   const std::vector<std::string> entries = listFiles(cache);
   ASSERT_FALSE(entries.empty());
@@ -125,7 +125,7 @@ TEST_F(CacheTest, DamagedEntryIsMadeAnewAndChangesNothing) {
 
 TEST_F(CacheTest, CacheThatCannotBeWrittenIsNoReasonToFail) {
   writeFile(m_folder / "file", std::string("in the way"));
-  const RunResult result = runParity(join({{"diff", "builtin:furnace", "--cache", path("file")}, kSmall}));
+  const RunResult result = runParity(join({{"diff", "builtin:furnace", "--cache", path("file")}, kSmall, kRoughSky}));
   EXPECT_NE(result.exitCode, 4) << result.err;
   EXPECT_TRUE(contains(result.out, "roughness 0.3"));
 }

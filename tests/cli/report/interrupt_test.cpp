@@ -11,6 +11,7 @@ protected:
     return runParity(join({{"report", "builtin:spheres", "builtin:furnace", "builtin:lights", "-o", path("out"),
                             "--truth", "--error", "0.01%", "--threads", "1", "--no-cache"},
                            {"--size", "128x128", "--env", "builtin:studio"},
+                           kRoughSky,
                            more}),
                      options);
   }
@@ -58,8 +59,9 @@ environment = "builtin:studio"
 file = "builtin:lights"
 )");
   // The first scene, which has no light but white, is done first; the signal comes as the second one begins.
-  const std::vector<std::string> command = {"report", "--suite",   suite, "-o",     path("out"), "--truth",   "--error",
-                                            "1%",     "--threads", "1",   "--size", "64x64",     "--no-cache"};
+  const std::vector<std::string> command = join({{"report", "--suite", suite, "-o", path("out"), "--truth", "--error",
+                                                  "1%", "--threads", "1", "--size", "64x64", "--no-cache"},
+                                                 kRoughSky});
   const RunResult result = runParity(command, at("1 of 3 done, spheres", SIGINT));
   EXPECT_TRUE(exitedWith(130, result));
   const nlohmann::json report = readReport(m_folder / "out");

@@ -118,6 +118,7 @@ TEST_F(OnlyTest, AMaterialThatASceneLacksIsAnErrorAlsoOfAKeptResult) {
   const auto diff = [&](const std::vector<std::string>& more) {
     return runParity(join({{"diff", "--suite", m_suite, "--cache", path("cache"), "--size", "64x64", "-v", "--material",
                             "gold", "--material", "glazed ceramic"},
+                           kRoughSky,
                            more}));
   };
   EXPECT_NE(diff({}).exitCode, 4);

@@ -104,7 +104,7 @@ TEST_F(PageTest, ASingleFileHoldsAllThatAFolderHolds) {
 }
 
 TEST_F(PageTest, ASingleFileFromTheCacheIsTheSame) {
-  const std::vector<std::string> options = {"--single-file", "--cache", path("cache")};
+  const std::vector<std::string> options = join({{"--single-file", "--cache", path("cache")}, kRoughSky});
   EXPECT_NE(report("first", options).exitCode, 4);
   EXPECT_NE(report("again", options).exitCode, 4);
   EXPECT_EQ(nlohmann::json::parse(text("again/run.json"))["cachedScenes"].size(), 1u);

@@ -186,7 +186,8 @@ TEST_F(PassesTest, AnotherCameraCompilesNothing) {
   options.environment = {{"MESA_SHADER_CACHE_DIR", driver.string()}};
   const auto countAfter = [&](const std::string& orbit) {
     const RunResult result = runParity(
-        join({{"diff", "builtin:spheres", "--no-cache", "--size", "48x32", "--orbit", orbit}, kSun}), options);
+        join({{"diff", "builtin:spheres", "--no-cache", "--size", "48x32", "--orbit", orbit}, kSun, kRoughSky}),
+        options);
     EXPECT_TRUE(isReported(result)) << result.err;
     return listFiles(driver).size();
   };

@@ -78,6 +78,7 @@ TEST_F(WhatIfTest, IsKeptInTheCacheByAllThatThePresetSets) {
     const RunResult result = runParity(join({{"report", "builtin:spheres", "--cache", path("cache"), "--size", "48x48",
                                               "--what-if", "refit", "-q", "-o", path(folder)},
                                              kSun,
+                                             kRoughSky,
                                              more}));
     EXPECT_TRUE(isReported(result)) << result.err;
     return json::parse(readWholeFile(m_folder / folder / "run.json"))["cachedScenes"].size();
@@ -121,7 +122,7 @@ TEST_F(WhatIfTest, CardsHavePicturesThatTheFolderHoldsOnce) {
   }
   const std::vector<std::string> options = {"--attribution", "none", "--size", "48x48", "-q", "--cache", path("cache")};
   const auto run = [&](const std::vector<std::string>& which, const std::vector<std::string>& more) {
-    EXPECT_TRUE(isReported(runParity(join({{"report"}, which, options, kSun, more}))));
+    EXPECT_TRUE(isReported(runParity(join({{"report"}, which, options, kSun, kRoughSky, more}))));
   };
   const auto textures = [&](const std::string& folder) {
     std::vector<std::string> files = listFiles(m_folder / folder);

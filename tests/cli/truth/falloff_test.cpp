@@ -147,8 +147,8 @@ TEST_F(FalloffOfTheProgram, AMetalObeysTheSkyLightColorInEveryPreset) {
 // Which scale acted is in the report: nothing of the skylight's cube, whatever is asked for else.
 TEST_F(FalloffOfTheProgram, TheReportSaysWhatScalesTheReflection) {
   const auto lightOf = [](const std::vector<std::string>& more) {
-    const RunResult result = runParity(
-        join({{"diff", "builtin:furnace", "--json", "-", "--attribution", "none", "--no-cache"}, kSmall, more}));
+    const RunResult result = runParity(join(
+        {{"diff", "builtin:furnace", "--json", "-", "--attribution", "none", "--no-cache"}, kSmall, kRoughSky, more}));
     EXPECT_LE(result.exitCode, 2) << result.err;
     return Json::parse(result.out)["scenes"][0].value("light", "");
   };

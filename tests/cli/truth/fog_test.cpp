@@ -28,7 +28,7 @@ class FogOfTheProgram : public RenderingTest {
 protected:
   base::Image render(const std::string& by, const std::vector<std::string>& more) const {
     return RenderingTest::render("builtin:spheres", by,
-                                 join({{"--cache", (m_folder / "cache").string()}, kPicture, more}));
+                                 join({{"--cache", (m_folder / "cache").string()}, kPicture, kRoughSky, more}));
   }
   std::size_t cached() const { return listFiles(m_folder / "cache").size(); }
 };

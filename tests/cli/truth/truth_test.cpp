@@ -93,8 +93,8 @@ TEST_F(TruthTest, StandsBesideBothPathsAndChangesNothingElse) {
 }
 
 TEST_F(TruthTest, DependsNeitherOnTheCacheNorOnThreads) {
-  const std::vector<std::string> options = {"--truth",    "--error", "5%",     "--scattering", "single",
-                                            "--exposure", "0.7",     "--size", "32x24"};
+  const std::vector<std::string> options =
+      join({{"--truth", "--error", "5%", "--scattering", "single", "--exposure", "0.7", "--size", "32x24"}, kRoughSky});
   const std::vector<std::string> cached = join({options, {"--cache", (m_folder / "cache").string()}});
   run("builtin:furnace", "first", cached);
   const std::string first = readWholeFile(m_folder / "first" / "report.json");
