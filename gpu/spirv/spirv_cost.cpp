@@ -32,8 +32,12 @@ Words optimize(std::span<const std::uint32_t> words, bool validate, const auto& 
 
 // Constants known, functions inlined, what cannot be reached gone.
 Words specialize(Spirv spirv, std::span<const std::uint32_t> constants) {
-  return optimize(specializeSpirv(spirv, constants), true,
-                  [](spvtools::Optimizer& optimizer) { optimizer.RegisterPerformancePasses(); });
+  return optimize(specializeSpirv(spirv, constants), true, [](spvtools::Optimizer& optimizer) {
+    optimizer
+        .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass()) // those made of floating-point numbers
+        .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
+        .RegisterPerformancePasses();
+  });
 }
 
 // spirv-opt unrolls what is marked, and glslang marks nothing: so the short loops are.

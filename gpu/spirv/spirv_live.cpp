@@ -1,5 +1,7 @@
 #include "gpu/spirv/spirv_live.h"
 
+#include <string>
+
 #include <glslang/SPIRV/GLSL.std.450.h>
 #include <glslang/SPIRV/spirv.hpp>
 
@@ -7,14 +9,28 @@ namespace parity::gpu {
 
 namespace {
 
+// A literal string: four bytes a word, the first in the lowest bits.
+std::string textOf(std::span<const std::uint32_t> words) {
+  std::string text;
+  for (const std::uint32_t word : words)
+    for (int byte = 0; byte < 4; ++byte) {
+      const char c = static_cast<char>(word >> (8 * byte) & 0xff);
+      if (c == 0) return text;
+      text += c;
+    }
+  return text;
+}
+
+} // namespace
+
 // Whether all that an instruction does is its result. Unknown ones do more.
-bool hasResultAlone(const SpirvInstruction& each) {
+bool SpirvLive::hasOnlyResult(const SpirvInstruction& each) const {
   const auto isWithin = [&](spv::Op first, spv::Op last) {
     return each.opcode >= static_cast<std::uint32_t>(first) && each.opcode <= static_cast<std::uint32_t>(last);
   };
   switch (each.opcode) {
   case spv::OpExtInst: // what writes through a pointer does more
-    return each.operands[1] != GLSLstd450Modf && each.operands[1] != GLSLstd450Frexp;
+    return each.operands[0] == m_glsl && each.operands[1] != GLSLstd450Modf && each.operands[1] != GLSLstd450Frexp;
   case spv::OpLoad:
     return each.operands.size() < 2 || (each.operands[1] & spv::MemoryAccessVolatileMask) == 0;
   case spv::OpUndef:
@@ -33,36 +49,36 @@ bool hasResultAlone(const SpirvInstruction& each) {
   }
 }
 
-} // namespace
-
 SpirvLive::SpirvLive(const SpirvModule& module, const SpirvValues& values)
-    : m_module(module), m_values(values), m_needed(module.bound()), m_blocks(module.instructions().size()),
+    : m_module(module), m_values(values), m_needed(module.bound()), m_labelOf(module.instructions().size()),
       m_stores(module.bound()) {
+  for (const SpirvInstruction& each : module.instructions())
+    if (each.opcode == spv::OpExtInstImport && textOf(each.operands) == "GLSL.std.450") m_glsl = each.result;
   for (std::size_t b = 0; b < module.blocks().size(); ++b)
     if (values.runs(b))
       for (std::size_t i = module.blocks()[b].begin; i < module.blocks()[b].end; ++i)
-        m_blocks[i] = module.blocks()[b].label;
+        m_labelOf[i] = module.blocks()[b].label;
   findStores();
-  for (std::size_t i = 0; i < m_blocks.size(); ++i) {
+  for (std::size_t i = 0; i < m_labelOf.size(); ++i) {
     const SpirvInstruction& each = module.instructions()[i];
     const bool isStore = each.opcode == spv::OpStore && localVariableOf(each.operands[0]) != 0;
-    if (m_blocks[i] != 0 && !isStore && !hasResultAlone(each)) needOperands(each, m_blocks[i]);
+    if (m_labelOf[i] != 0 && !isStore && !hasOnlyResult(each)) needOperands(each, m_labelOf[i]);
   }
   while (!m_open.empty()) {
     const std::uint32_t id = m_open.back();
     m_open.pop_back();
-    for (const std::uint32_t store : m_stores[id]) needOperands(module.instructions()[store], m_blocks[store]);
+    for (const std::uint32_t store : m_stores[id]) needOperands(module.instructions()[store], m_labelOf[store]);
     if (values.valueOf(id)) continue; // it becomes a constant
     const std::size_t at = static_cast<std::size_t>(module.find(id) - module.instructions().data());
-    if (m_blocks[at] != 0) needOperands(*module.find(id), m_blocks[at]);
+    if (m_labelOf[at] != 0) needOperands(*module.find(id), m_labelOf[at]);
   }
 }
 
-// A store into a variable that nothing reads is not needed.
+// Lists the stores into each variable of a function: they are needed where the variable is read.
 void SpirvLive::findStores() {
-  for (std::size_t i = 0; i < m_blocks.size(); ++i) {
+  for (std::size_t i = 0; i < m_labelOf.size(); ++i) {
     const SpirvInstruction& each = m_module.instructions()[i];
-    if (m_blocks[i] == 0 || each.opcode != spv::OpStore) continue;
+    if (m_labelOf[i] == 0 || each.opcode != spv::OpStore) continue;
     if (const std::uint32_t variable = localVariableOf(each.operands[0]))
       m_stores[variable].push_back(static_cast<std::uint32_t>(i));
   }
@@ -72,7 +88,7 @@ std::uint32_t SpirvLive::localVariableOf(std::uint32_t pointer) const {
   const SpirvInstruction* from = m_module.find(pointer);
   while (from && (from->opcode == spv::OpAccessChain || from->opcode == spv::OpInBoundsAccessChain ||
                   from->opcode == spv::OpCopyObject))
-    from = m_module.find(from->operands[0]);
+    from = m_module.isBefore(from->operands[0], *from) ? m_module.find(from->operands[0]) : nullptr;
   const bool isLocal = from && from->opcode == spv::OpVariable && from->operands[0] == spv::StorageClassFunction;
   return isLocal ? from->result : 0;
 }
@@ -87,7 +103,7 @@ void SpirvLive::need(std::uint32_t id) {
 void SpirvLive::needOperands(const SpirvInstruction& instruction, std::uint32_t label) {
   if (instruction.opcode == spv::OpPhi) {
     for (std::size_t i = 0; i + 1 < instruction.operands.size(); i += 2)
-      if (m_values.goes(instruction.operands[i + 1], label)) need(instruction.operands[i]);
+      if (m_values.canGo(instruction.operands[i + 1], label)) need(instruction.operands[i]);
     return;
   }
   const bool isTwoWay = instruction.opcode == spv::OpBranchConditional;
@@ -105,7 +121,7 @@ bool SpirvLive::isNeeded(std::size_t index) const {
     const std::uint32_t variable = localVariableOf(each.operands[0]);
     return variable == 0 || m_needed[variable];
   }
-  return each.result == 0 || m_needed[each.result] || !hasResultAlone(each);
+  return each.result == 0 || m_needed[each.result] || !hasOnlyResult(each);
 }
 
 } // namespace parity::gpu

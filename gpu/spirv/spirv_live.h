@@ -22,20 +22,22 @@ public:
   // Of what a function's block defines; false, too, where that block does not run.
   bool isNeeded(const SpirvInstruction& definition) const {
     const auto at = static_cast<std::size_t>(&definition - m_module.instructions().data());
-    return m_blocks[at] != 0 && isNeeded(at);
+    return m_labelOf[at] != 0 && isNeeded(at);
   }
 
 private:
   void findStores();
+  bool hasOnlyResult(const SpirvInstruction& instruction) const;
   void need(std::uint32_t id);
   void needOperands(const SpirvInstruction& instruction, std::uint32_t label);
   std::uint32_t localVariableOf(std::uint32_t pointer) const; // 0: not one of a function
 
   const SpirvModule& m_module;
   const SpirvValues& m_values;
+  std::uint32_t m_glsl = 0;                         // the set GLSL.std.450; 0: not imported
   std::vector<bool> m_needed;                       // by id
-  std::vector<std::uint32_t> m_blocks;              // by instruction: the label of its block; 0: does not run
-  std::vector<std::vector<std::uint32_t>> m_stores; // by id of a function's variable: into it, as instructions
+  std::vector<std::uint32_t> m_labelOf;             // by instruction: the label of its block; 0: does not run
+  std::vector<std::vector<std::uint32_t>> m_stores; // by id of a function's variable: indices of the stores into it
   std::vector<std::uint32_t> m_open;                // ids whose operands are still to be needed
 };
 

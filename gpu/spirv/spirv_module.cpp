@@ -41,6 +41,45 @@ std::optional<bool> compare(std::uint32_t opcode, std::int64_t a, std::int64_t b
   }
 }
 
+// How many operands an instruction has at least, of those that are looked into.
+std::size_t leastOperandsOf(std::uint32_t opcode) {
+  switch (opcode) {
+  case spv::OpSelect:
+  case spv::OpBranchConditional:
+    return 3;
+  case spv::OpExtInst:
+  case spv::OpEntryPoint:
+  case spv::OpStore:
+  case spv::OpDecorate:
+  case spv::OpSwitch:
+  case spv::OpSelectionMerge:
+  case spv::OpLoopMerge:
+  case spv::OpTypeInt:
+  case spv::OpTypeVector:
+  case spv::OpTypeMatrix:
+    return 2;
+  case spv::OpBranch:
+  case spv::OpName:
+  case spv::OpLoad:
+  case spv::OpVariable:
+  case spv::OpAccessChain:
+  case spv::OpInBoundsAccessChain:
+  case spv::OpCopyObject:
+  case spv::OpFunctionCall:
+  case spv::OpTypeFloat:
+  case spv::OpConstant:
+  case spv::OpSpecConstant:
+  case spv::OpSpecConstantOp:
+    return 1;
+  default:
+    return 0;
+  }
+}
+
+bool endsBlock(std::uint32_t opcode) {
+  return (opcode >= spv::OpBranch && opcode <= spv::OpUnreachable) || opcode == spv::OpTerminateInvocation;
+}
+
 // A loop's counter: a phi of its header.
 struct Counter {
   std::uint32_t phi = 0, next = 0; // next: the stepped value
@@ -116,6 +155,8 @@ SpirvModule::SpirvModule(std::vector<std::uint32_t> words) : m_words(std::move(w
       m_definitions[instruction.result] = static_cast<std::uint32_t>(m_instructions.size());
     }
     instruction.operands = std::span(m_words).subspan(first, at + length - first);
+    if (instruction.operands.size() < leastOperandsOf(instruction.opcode))
+      refuse(at, "an instruction that is too short");
     if (instruction.opcode == spv::OpDecorate && instruction.operands.size() == 3 &&
         instruction.operands[1] == spv::DecorationSpecId)
       m_specIds[instruction.operands[0]] = instruction.operands[2];
@@ -123,19 +164,33 @@ SpirvModule::SpirvModule(std::vector<std::uint32_t> words) : m_words(std::move(w
     at += length;
   }
   findBlocks();
+  for (const SpirvBlock& block : m_blocks) {
+    if (block.begin == block.end || !endsBlock(terminatorOf(block).opcode)) refuse(0, "a block without an end");
+    const SpirvInstruction& last = terminatorOf(block);
+    for (const std::uint32_t label : block.successors)
+      if (blockOf(label) == m_blocks.size()) refuse(last.word, "a branch to what is no block");
+    if (last.opcode == spv::OpSwitch && shapeOf(last.operands[0]).bits > 32) refuse(last.word, "a switch over 64 bits");
+    for (std::size_t i = block.begin; i < block.end; ++i) {
+      const SpirvInstruction& each = m_instructions[i];
+      if (each.opcode != spv::OpLoopMerge && each.opcode != spv::OpSelectionMerge) continue;
+      if (blockOf(each.operands[0]) == m_blocks.size() ||
+          (each.opcode == spv::OpLoopMerge && blockOf(each.operands[1]) == m_blocks.size()))
+        refuse(each.word, "a merge in what is no block");
+    }
+  }
 }
 
 void SpirvModule::findBlocks() {
-  bool begins = false;
+  std::uint32_t begun = 0;
   for (std::size_t i = 0; i < m_instructions.size(); ++i) {
     const SpirvInstruction& instruction = m_instructions[i];
     const std::span<const std::uint32_t> operands = instruction.operands;
-    if (instruction.opcode == spv::OpFunction) begins = true;
+    if (instruction.opcode == spv::OpFunction) begun = instruction.result;
     if (instruction.opcode == spv::OpLabel) {
       m_blockOfLabel[instruction.result] = static_cast<std::uint32_t>(m_blocks.size());
       m_blocks.push_back(
-          {.label = instruction.result, .isEntry = begins, .begin = i + 1, .end = i + 1, .successors = {}});
-      begins = false;
+          {.label = instruction.result, .entryOf = begun, .begin = i + 1, .end = i + 1, .successors = {}});
+      begun = 0;
       continue;
     }
     if (m_blocks.empty() || instruction.opcode == spv::OpFunction || instruction.opcode == spv::OpFunctionParameter ||
@@ -165,6 +220,12 @@ std::optional<std::uint32_t> SpirvModule::specIdOf(std::uint32_t id) const {
   return found == m_specIds.end() ? std::nullopt : std::optional(found->second);
 }
 
+// A damaged module may go in circles.
+bool SpirvModule::isBefore(std::uint32_t id, const SpirvInstruction& user) const {
+  const SpirvInstruction* definition = find(id);
+  return definition && definition->word < user.word;
+}
+
 SpirvShape SpirvModule::shapeOfType(std::uint32_t type) const {
   const SpirvInstruction* definition = find(type);
   if (!definition) return {};
@@ -177,11 +238,13 @@ SpirvShape SpirvModule::shapeOfType(std::uint32_t type) const {
   case spv::OpTypeBool:
     return {SpirvShape::Kind::boolean, 1};
   case spv::OpTypeVector: {
+    if (!isBefore(operands[0], *definition)) return {};
     SpirvShape shape = shapeOfType(operands[0]);
     shape.rows = operands[1];
     return shape;
   }
   case spv::OpTypeMatrix: {
+    if (!isBefore(operands[0], *definition)) return {};
     SpirvShape shape = shapeOfType(operands[0]);
     shape.cols = operands[1];
     return shape;

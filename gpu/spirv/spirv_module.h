@@ -28,7 +28,7 @@ struct SpirvShape {
 // A basic block of a function.
 struct SpirvBlock {
   std::uint32_t label = 0;
-  bool isEntry = false;           // the first of its function
+  std::uint32_t entryOf = 0;      // of the first one of a function: that function; else 0
   std::size_t begin = 0, end = 0; // instructions after the label, the terminator included
   std::vector<std::uint32_t> successors;
   std::uint32_t merge = 0;     // of a loop's header, else 0
@@ -37,8 +37,9 @@ struct SpirvBlock {
 
 class SpirvModule {
 public:
-  // Throws Error (failed) for words that are no SPIR-V of this machine's byte order. Lines of the source text (OpLine)
-  // are left out.
+  // Lines of the source text (OpLine) are left out. Throws Error (failed) for words that are no SPIR-V of this
+  // machine's byte order: instructions that are too short, blocks without an end, branches to what is no block. What
+  // else makes a module valid is not checked.
   explicit SpirvModule(std::vector<std::uint32_t> words);
   SpirvModule(const SpirvModule&) = delete;
   SpirvModule& operator=(const SpirvModule&) = delete;
@@ -47,12 +48,15 @@ public:
   const std::vector<SpirvInstruction>& instructions() const { return m_instructions; }
   const std::vector<SpirvBlock>& blocks() const { return m_blocks; }                       // of all functions
   std::uint32_t bound() const { return static_cast<std::uint32_t>(m_definitions.size()); } // ids are below it
-  // Index in blocks() of the block with that label, which must be one.
-  std::size_t blockOf(std::uint32_t label) const { return m_blockOfLabel[label]; }
+  // Index in blocks() of the block with that label; blocks().size(): there is none.
+  std::size_t blockOf(std::uint32_t label) const {
+    return label < bound() && m_blockOfLabel[label] != kNone ? m_blockOfLabel[label] : m_blocks.size();
+  }
   const SpirvInstruction& terminatorOf(const SpirvBlock& block) const { return m_instructions[block.end - 1]; }
 
-  const SpirvInstruction* find(std::uint32_t id) const;          // what defines it; null: nothing
-  std::optional<std::uint32_t> specIdOf(std::uint32_t id) const; // the number of a specialization constant
+  const SpirvInstruction* find(std::uint32_t id) const;                // what defines it; null: nothing
+  std::optional<std::uint32_t> specIdOf(std::uint32_t id) const;       // the number of a specialization constant
+  bool isBefore(std::uint32_t id, const SpirvInstruction& user) const; // whether the id's definition stands before it
   SpirvShape shapeOfType(std::uint32_t type) const;
   SpirvShape shapeOf(std::uint32_t value) const;                       // by the type of that id
   std::optional<std::int64_t> integerConstant(std::uint32_t id) const; // of 32 bits, by the sign of its type

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <unordered_map>
+#include <unordered_set>
 
+#include <fmt/format.h>
 #include <glslang/SPIRV/spirv.hpp>
 
+#include "base/error.h"
 #include "gpu/spirv/spirv_live.h"
 #include "gpu/spirv/spirv_module.h"
 #include "gpu/spirv/spirv_values.h"
@@ -21,6 +25,7 @@ public:
         m_bound(module.bound()) {
     const auto first = std::ranges::find(module.instructions(), spv::OpFunction, &SpirvInstruction::opcode);
     if (first != module.instructions().end()) m_firstFunctionWord = first->word;
+    findUncalled();
   }
 
   std::vector<std::uint32_t> write() {
@@ -30,13 +35,16 @@ public:
     std::size_t i = 0;
     for (; i < all.size() && all[i].opcode != spv::OpFunction; ++i) writeGlobal(all[i]);
     writeNewConstants();
-    for (std::size_t block = 0; i < all.size(); ++i)
+    bool isUncalled = false;
+    for (std::size_t block = 0; i < all.size(); ++i) {
+      if (all[i].opcode == spv::OpFunction) isUncalled = m_uncalled.contains(all[i].result);
       if (all[i].opcode == spv::OpLabel) {
         writeBlock(block);
         i = m_module.blocks()[block++].end - 1;
-      } else {
+      } else if (!isUncalled) {
         copy(all[i]);
       }
+    }
     m_words[kBoundWord] = m_bound;
     return std::move(m_words);
   }
@@ -44,6 +52,20 @@ public:
 private:
   static constexpr std::ptrdiff_t kHeaderWords = 5;
   static constexpr std::size_t kBoundWord = 3;
+
+  // Functions that nothing calls, with their parameters.
+  void findUncalled() {
+    std::unordered_set<std::uint32_t> functions;
+    for (std::size_t block = 0; block < m_module.blocks().size(); ++block)
+      if (m_module.blocks()[block].entryOf != 0 && !m_values.runs(block))
+        functions.insert(m_module.blocks()[block].entryOf);
+    bool isUncalled = false;
+    for (const SpirvInstruction& each : m_module.instructions()) {
+      if (each.opcode == spv::OpFunction) isUncalled = functions.contains(each.result);
+      if (isUncalled && (each.opcode == spv::OpFunction || each.opcode == spv::OpFunctionParameter))
+        m_uncalled.insert(each.result);
+    }
+  }
 
   // Blocks that no longer run, but that a merge instruction names: they stay, empty.
   void findStubs() {
@@ -54,15 +76,18 @@ private:
         const bool isLoop = each.opcode == spv::OpLoopMerge;
         if (!isLoop && (each.opcode != spv::OpSelectionMerge || becomesPlain(block))) continue;
         if (!runs(each.operands[0])) m_stubs.try_emplace(each.operands[0], 0);
-        if (isLoop && !runs(each.operands[1])) m_stubs[each.operands[1]] = m_module.blocks()[block].label;
+        if (!isLoop || runs(each.operands[1])) continue;
+        m_stubs[each.operands[1]] = m_module.blocks()[block].label;
+        m_stubBack[m_module.blocks()[block].label] = each.operands[1];
       }
     }
   }
 
   bool runs(std::uint32_t label) const { return m_values.runs(m_module.blockOf(label)); }
 
-  // Whether a branch with a condition goes one way alone. A switch keeps its merge instruction: blocks in it may leave
-  // it from within others.
+  // Whether a branch with a condition goes one way alone. Its merge instruction goes with it, because blocks inside
+  // reach the merge block as their own end alone: a branch without a merge instruction leaves loops and switches,
+  // nothing else. A switch keeps its merge instruction: blocks in it may leave it from within others.
   bool becomesPlain(std::size_t block) const {
     const SpirvBlock& of = m_module.blocks()[block];
     return m_module.terminatorOf(of).opcode == spv::OpBranchConditional && m_values.targetsOf(block).size() == 1;
@@ -89,14 +114,14 @@ private:
   }
 
   // Whether what is said of an id still holds: the id is there, and as what it was.
-  bool keepsNotes(const SpirvInstruction& note) const {
+  bool keepsNote(const SpirvInstruction& note) const {
     const std::uint32_t id = note.operands[0];
     if (note.opcode == spv::OpDecorate && note.operands[1] == spv::DecorationSpecId) return false;
     const SpirvInstruction* of = m_module.find(id);
     if (!of || !isInFunction(*of)) return true;
     if (of->opcode == spv::OpLabel) return runs(id);
-    return of->opcode == spv::OpFunction || of->opcode == spv::OpFunctionParameter ||
-           (m_live.isNeeded(*of) && !m_values.valueOf(id));
+    if (of->opcode == spv::OpFunction || of->opcode == spv::OpFunctionParameter) return !m_uncalled.contains(id);
+    return (m_live.isNeeded(*of) && !m_values.valueOf(id));
   }
 
   bool isInFunction(const SpirvInstruction& each) const { return each.word >= m_firstFunctionWord; }
@@ -105,15 +130,14 @@ private:
     switch (each.opcode) {
     case spv::OpName:
     case spv::OpDecorate:
-      if (keepsNotes(each)) copy(each);
+      if (keepsNote(each)) copy(each);
       return;
     case spv::OpSpecConstant:
     case spv::OpSpecConstantTrue:
     case spv::OpSpecConstantFalse:
     case spv::OpSpecConstantOp:
       if (const auto value = m_values.valueOf(each.result)) return writeConstant(each.type, each.result, *value);
-      if (const auto number = m_module.specIdOf(each.result); number && *number < m_constants.size())
-        return write(spv::OpConstant, {each.type, each.result, m_constants[*number]}); // a floating-point number
+      if (each.opcode == spv::OpSpecConstant) return writeOtherConstant(each);
       copy(each);
       return;
     default:
@@ -121,7 +145,20 @@ private:
     }
   }
 
-  // Values that have become constants, and what a loop that never comes round begins with.
+  // A specialization constant that is no integer of 32 bits.
+  void writeOtherConstant(const SpirvInstruction& each) {
+    const std::optional<std::uint32_t> number = m_module.specIdOf(each.result);
+    const std::size_t begin = m_words.size();
+    copy(each); // the default
+    m_words[begin] = (m_words[begin] & ~std::uint32_t{spv::OpCodeMask}) | spv::OpConstant;
+    if (!number || *number >= m_constants.size()) return;
+    if (m_module.shapeOfType(each.type).bits != 32)
+      throw base::Error(base::ExitCode::failed, "SPIR-V", fmt::format("specialization constant {}", *number),
+                        "is not of 32 bits");
+    m_words.back() = m_constants[*number];
+  }
+
+  // Constants for values that are known, and undefined values for the ways back of loops that never run.
   void writeNewConstants() {
     for (std::size_t block = 0; block < m_module.blocks().size(); ++block) {
       if (!m_values.runs(block)) continue;
@@ -139,9 +176,8 @@ private:
 
   // The empty block that leads back to this header; 0: none.
   std::uint32_t stubBackOf(std::uint32_t header) const {
-    for (const auto& [stub, to] : m_stubs)
-      if (to == header) return stub;
-    return 0;
+    const auto found = m_stubBack.find(header);
+    return found == m_stubBack.end() ? 0 : found->second;
   }
 
   void writeBlock(std::size_t index) {
@@ -190,7 +226,7 @@ private:
     const std::size_t begin = m_words.size();
     write(spv::OpPhi, {phi.type, phi.result});
     for (std::size_t i = 0; i + 1 < phi.operands.size(); i += 2)
-      if (m_values.goes(phi.operands[i + 1], label))
+      if (m_values.canGo(phi.operands[i + 1], label))
         m_words.insert(m_words.end(), {phi.operands[i], phi.operands[i + 1]});
     if (const std::uint32_t back = stubBackOf(label)) m_words.insert(m_words.end(), {m_undefined.at(phi.type), back});
     m_words[begin] = (static_cast<std::uint32_t>(m_words.size() - begin) << spv::WordCountShift) | spv::OpPhi;
@@ -203,7 +239,9 @@ private:
   std::uint32_t m_bound;
   std::size_t m_firstFunctionWord = SIZE_MAX;
   std::unordered_map<std::uint32_t, std::uint32_t> m_stubs;     // label; where it leads, 0: nowhere
+  std::unordered_map<std::uint32_t, std::uint32_t> m_stubBack;  // header; the empty block that leads back to it
   std::unordered_map<std::uint32_t, std::uint32_t> m_undefined; // by type
+  std::unordered_set<std::uint32_t> m_uncalled;                 // functions and their parameters
   std::vector<std::uint32_t> m_words;
 };
 

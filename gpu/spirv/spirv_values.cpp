@@ -12,7 +12,7 @@ namespace parity::gpu {
 namespace {
 
 // Instructions all of whose operands are ids, those that can be folded among them.
-bool hasIdsAlone(std::uint32_t opcode) {
+bool hasOnlyIds(std::uint32_t opcode) {
   return opcode == spv::OpCopyObject || (opcode >= spv::OpConvertFToU && opcode <= spv::OpBitCount);
 }
 
@@ -22,7 +22,12 @@ SpirvValues::SpirvValues(const SpirvModule& module, std::span<const std::uint32_
     : m_module(module), m_states(module.bound(), State::unseen), m_values(module.bound()),
       m_runs(module.blocks().size()), m_targets(module.blocks().size()) {
   setConstants(constants);
-  for (std::size_t block = 0; block < module.blocks().size(); ++block) m_runs[block] = module.blocks()[block].isEntry;
+  for (std::size_t block = 0; block < module.blocks().size(); ++block)
+    if (const std::uint32_t function = module.blocks()[block].entryOf) m_entries[function] = block;
+  for (const SpirvInstruction& each : module.instructions()) {
+    const auto entry = m_entries.find(each.opcode == spv::OpEntryPoint ? each.operands[1] : 0);
+    if (entry != m_entries.end()) m_runs[entry->second] = true;
+  }
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t block = 0; block < module.blocks().size(); ++block)
@@ -92,6 +97,10 @@ bool SpirvValues::visit(std::size_t index) {
   for (std::size_t i = block.begin; i < block.end; ++i) {
     const SpirvInstruction& each = m_module.instructions()[i];
     if (each.result != 0 && m_states[each.result] != State::varying) changed |= evaluate(each, block.label);
+    if (each.opcode != spv::OpFunctionCall) continue;
+    const auto entry = m_entries.find(each.operands[0]);
+    if (entry == m_entries.end() || m_runs[entry->second]) continue;
+    m_runs[entry->second] = changed = true;
   }
   std::vector<std::uint32_t> targets = findTargets(index);
   if (targets != m_targets[index]) {
@@ -106,8 +115,8 @@ bool SpirvValues::evaluatePhi(const SpirvInstruction& phi, std::uint32_t label) 
   bool changed = false;
   for (std::size_t i = 0; i + 1 < phi.operands.size(); i += 2) {
     const std::uint32_t value = phi.operands[i];
-    if (goes(phi.operands[i + 1], label) && m_states[value] != State::unseen)
-      changed |= set(phi.result, m_states[value], m_values[value]);
+    if (canGo(phi.operands[i + 1], label) && stateOf(value) != State::unseen)
+      changed |= set(phi.result, stateOf(value), valueOf(value).value_or(0));
   }
   return changed;
 }
@@ -115,14 +124,14 @@ bool SpirvValues::evaluatePhi(const SpirvInstruction& phi, std::uint32_t label) 
 bool SpirvValues::evaluate(const SpirvInstruction& instruction, std::uint32_t label) {
   if (instruction.opcode == spv::OpPhi && isScalar(instruction.type)) return evaluatePhi(instruction, label);
   constexpr std::size_t kMost = 3;
-  if (!hasIdsAlone(instruction.opcode) || instruction.operands.size() > kMost || !isScalar(instruction.type))
+  if (!hasOnlyIds(instruction.opcode) || instruction.operands.size() > kMost || !isScalar(instruction.type))
     return set(instruction.result, State::varying);
   std::array<std::optional<std::uint32_t>, kMost> operands;
   bool isSeen = true;
   for (std::size_t i = 0; i < instruction.operands.size(); ++i) {
     const std::uint32_t id = instruction.operands[i];
-    if (m_states[id] == State::known) operands[i] = m_values[id];
-    isSeen = isSeen && m_states[id] != State::unseen;
+    operands[i] = valueOf(id);
+    isSeen = isSeen && stateOf(id) != State::unseen;
   }
   const std::optional<std::uint32_t> folded =
       foldSpirv(instruction.opcode, std::span(operands).first(instruction.operands.size()));
@@ -133,13 +142,13 @@ bool SpirvValues::evaluate(const SpirvInstruction& instruction, std::uint32_t la
 std::vector<std::uint32_t> SpirvValues::findTargets(std::size_t index) const {
   const SpirvBlock& block = m_module.blocks()[index];
   if (block.successors.size() < 2) return block.successors;
-  // A loop keeps its only way back, taken or not: its header's merge instruction needs one.
+  // A branch to an earlier block stays whole: it is a loop's only way back, and its header must have one.
   const auto leadsBack = [&](std::uint32_t label) { return m_module.blockOf(label) <= index; };
   if (std::ranges::any_of(block.successors, leadsBack)) return block.successors;
   const SpirvInstruction& last = m_module.terminatorOf(block);
   const std::uint32_t selector = last.operands[0];
-  if (m_states[selector] == State::unseen) return {};
-  if (m_states[selector] == State::varying) return block.successors;
+  if (stateOf(selector) == State::unseen) return {};
+  if (stateOf(selector) == State::varying) return block.successors;
   const std::uint32_t value = m_values[selector];
   if (last.opcode == spv::OpBranchConditional) return {last.operands[value != 0 ? 1 : 2]};
   for (std::size_t i = 2; i + 1 < last.operands.size(); i += 2)
@@ -148,12 +157,12 @@ std::vector<std::uint32_t> SpirvValues::findTargets(std::size_t index) const {
 }
 
 std::optional<std::uint32_t> SpirvValues::valueOf(std::uint32_t id) const {
-  return m_states[id] == State::known ? std::optional(m_values[id]) : std::nullopt;
+  return stateOf(id) == State::known ? std::optional(m_values[id]) : std::nullopt;
 }
 
-bool SpirvValues::goes(std::uint32_t from, std::uint32_t to) const {
+bool SpirvValues::canGo(std::uint32_t from, std::uint32_t to) const {
   const std::size_t block = m_module.blockOf(from);
-  return m_runs[block] && std::ranges::find(m_targets[block], to) != m_targets[block].end();
+  return block < m_runs.size() && m_runs[block] && std::ranges::find(m_targets[block], to) != m_targets[block].end();
 }
 
 } // namespace parity::gpu

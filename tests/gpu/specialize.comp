@@ -115,7 +115,50 @@ float store() {
   return pair.a * float(pair.b[0] + 2u * pair.b[1] + 4u * pair.b[2]) + whole + chosen;
 }
 
+// Called where the numbers come from memory alone.
+float slowly(float value) {
+  for (int i = 0; i < 3; ++i) value = sqrt(value + given.list[i + 4]);
+  return value;
+}
+
+void raise(inout float value, out uint count) {
+  count = second() + 1u;
+  if (switched()) return;
+  value *= scale();
+  count += first();
+}
+
+// Phis of several types where no turn comes: the loop around them stays.
+float turns() {
+  vec3 sum = vec3(given.list[0], 1.0, 2.0);
+  bool isOdd = false;
+  float value = 0.0;
+  for (uint k = 0u; k < 2u + (given.piece & 1u); ++k) {
+    for (uint i = 0u; i < first(); ++i) {
+      sum = sum.yzx * scale();
+      isOdd = !isOdd;
+      value += sum.x;
+      if (value > 4.0) break;
+    }
+    switch (second()) {
+    case 1u:
+      continue;
+    default:
+      value += isOdd ? 0.5 : 0.25;
+    }
+  }
+  return value + sum.x + sum.z * 0.5;
+}
+
+float call() {
+  float value = given.list[2];
+  uint count;
+  raise(value, count);
+  return value * float(count);
+}
+
 void main() {
+  if (kIsKnown == 0u && given.piece == 9u) result.values[1] = floatBitsToUint(slowly(given.scale));
   switch (piece()) {
   case 0u:
     operations();
@@ -131,5 +174,11 @@ void main() {
     break;
   case 4u:
     result.values[0] = floatBitsToUint(store());
+    break;
+  case 5u:
+    result.values[0] = floatBitsToUint(turns());
+    break;
+  case 6u:
+    result.values[0] = floatBitsToUint(call());
   }
 }
