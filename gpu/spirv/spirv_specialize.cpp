@@ -113,7 +113,7 @@ private:
       write(spv::OpConstant, {type, id, value});
   }
 
-  // Whether what is said of an id still holds: the id is there, and as what it was.
+  // Whether a name or decoration of an id still holds: the id is still there, and is no new constant.
   bool keepsNote(const SpirvInstruction& note) const {
     const std::uint32_t id = note.operands[0];
     if (note.opcode == spv::OpDecorate && note.operands[1] == spv::DecorationSpecId) return false;
@@ -121,7 +121,7 @@ private:
     if (!of || !isInFunction(*of)) return true;
     if (of->opcode == spv::OpLabel) return runs(id);
     if (of->opcode == spv::OpFunction || of->opcode == spv::OpFunctionParameter) return !m_uncalled.contains(id);
-    return (m_live.isNeeded(*of) && !m_values.valueOf(id));
+    return m_live.isNeeded(*of) && !m_values.valueOf(id);
   }
 
   bool isInFunction(const SpirvInstruction& each) const { return each.word >= m_firstFunctionWord; }

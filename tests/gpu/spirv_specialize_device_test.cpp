@@ -3,6 +3,7 @@
 #include "gpu/spirv/spirv_specialize.h"
 
 #include <array>
+#include <initializer_list>
 
 #include "gpu/specialize_numbers.h"
 #include "gpu_shaders/specialize.comp.h"
@@ -14,6 +15,18 @@ namespace {
 constexpr std::size_t kResults = 64;
 constexpr std::uint32_t kUnwritten = 0xabcdef01;
 constexpr vk::ShaderStageFlags kStage = vk::ShaderStageFlagBits::eCompute;
+
+// Every combination, switched and not.
+std::vector<Numbers> casesOf(std::initializer_list<std::uint32_t> pieces, std::initializer_list<std::uint32_t> firsts,
+                             std::initializer_list<std::uint32_t> seconds) {
+  std::vector<Numbers> cases;
+  for (const std::uint32_t piece : pieces)
+    for (const std::uint32_t first : firsts)
+      for (const std::uint32_t second : seconds)
+        for (const bool switched : {false, true})
+          cases.push_back({.piece = piece, .first = first, .second = second, .switched = switched});
+  return cases;
+}
 
 class SpirvSpecializeTest : public tests::DeviceTest {
 protected:
@@ -85,23 +98,10 @@ TEST_F(SpirvSpecializeTest, ComputesWithIntegersAsADeviceDoes) {
 }
 
 TEST_F(SpirvSpecializeTest, LeavesLoopsSwitchesAndFunctionsAsWritten) {
-  std::vector<Numbers> cases;
-  for (std::uint32_t first = 0; first < 4; ++first)
-    for (const std::uint32_t second : {0u, 1u, 7u})
-      for (const bool switched : {false, true})
-        cases.push_back({.piece = 1, .first = first, .second = second, .switched = switched});
-  expectSame(cases);
+  expectSame(casesOf({1}, {0, 1, 2, 3}, {0, 1, 7}));
 }
 
-TEST_F(SpirvSpecializeTest, LoopsThatRunOnceOrNeverAreValid) {
-  std::vector<Numbers> cases;
-  for (const std::uint32_t piece : {2u, 3u})
-    for (const std::uint32_t first : {0u, 5u})
-      for (const std::uint32_t second : {0u, 6u})
-        for (const bool switched : {false, true})
-          cases.push_back({.piece = piece, .first = first, .second = second, .switched = switched});
-  expectSame(cases);
-}
+TEST_F(SpirvSpecializeTest, LoopsThatRunOnceOrNeverAreValid) { expectSame(casesOf({2u, 3u}, {0u, 5u}, {0u, 6u})); }
 
 TEST_F(SpirvSpecializeTest, KeepsStoresThatAreReadAndWritesThroughPointers) {
   std::vector<Numbers> cases;
@@ -113,13 +113,7 @@ TEST_F(SpirvSpecializeTest, KeepsStoresThatAreReadAndWritesThroughPointers) {
 }
 
 TEST_F(SpirvSpecializeTest, CallsWithPointersAndLoopsAroundLoopsAreTheSame) {
-  std::vector<Numbers> cases;
-  for (const std::uint32_t piece : {5u, 6u})
-    for (const std::uint32_t first : {0u, 3u})
-      for (const std::uint32_t second : {1u, 2u})
-        for (const bool switched : {false, true})
-          cases.push_back({.piece = piece, .first = first, .second = second, .switched = switched});
-  expectSame(cases);
+  expectSame(casesOf({5u, 6u}, {0u, 3u}, {1u, 2u}));
 }
 
 } // namespace

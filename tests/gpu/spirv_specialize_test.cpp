@@ -81,6 +81,14 @@ TEST(SpirvSpecialize, DamagedModulesAreReadOrRefused) {
   }
 }
 
+TEST(SpirvSpecialize, RefusesAValueForAConstantOfAnotherWidth) {
+  std::vector<std::uint32_t> words(std::begin(kSpecializeComp), std::end(kSpecializeComp));
+  const SpirvModule module(words);
+  for (const SpirvInstruction& each : module.instructions())
+    if (each.opcode == spv::OpTypeFloat) words[each.word + 2] = 16; // kScale is of that type
+  base::expectError([&] { specializeSpirv(words, constantsOf({})); }, "specialization constant 5", "is not of 32 bits");
+}
+
 TEST(SpirvSpecialize, RefusesWhatIsNoModule) {
   const std::vector<std::uint32_t> words = {1, 2, 3, 4, 5, 6};
   base::expectError([&] { specializeSpirv(words, {}); }, "SPIR-V", "word 0");
