@@ -105,7 +105,7 @@ float store() {
   Pair pair, unread;
   pair.a = given.list[1];
   pair.b = uint[](first(), second(), 7u);
-  unread.a = given.list[2];
+  unread.a = sqrt(given.list[2]);
   unread.b[first() % 3u] = second();
   if (switched()) pair.b[second() % 3u] = first() + 1u;
   if (first() == 2u) unread = pair;
