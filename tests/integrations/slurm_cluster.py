@@ -165,15 +165,21 @@ class Cluster:
                 continue
         return steps & set(descendants(os.getpid()))
 
-    def works(self, node, program):
-        """Whether a task on the node runs the program now."""
+    def hold(self, node, program):
+        """Stops the program that a task on the node runs now, so that the task stays at work. The task's index in its array as
+        text; empty where no task runs the program."""
+        held = ""
         for pid in self.steps(node):
             try:
-                if program in pathlib.Path(f"/proc/{pid}/comm").read_text():
-                    return True
-            except OSError:
+                process = pathlib.Path(f"/proc/{pid}")
+                if (process / "exe").resolve().name != program:
+                    continue
+                os.kill(pid, signal.SIGSTOP)
+                variables = dict(word.split(b"=", 1) for word in (process / "environ").read_bytes().split(b"\0") if b"=" in word)
+                held = variables[b"SLURM_ARRAY_TASK_ID"].decode()
+            except (OSError, KeyError): # it has ended
                 continue
-        return False
+        return held
 
     def kill_node(self, node):
         """As if its power went off: slurmd and all that it started. How many processes of tasks there were."""
@@ -208,14 +214,16 @@ class Cluster:
                 yield fields
 
     def wait(self, condition, seconds, what):
+        """Returns what the condition is when it holds."""
         end = time.monotonic() + seconds
-        while not condition():
+        while not (holds := condition()):
             for name, daemon in self.daemons.items():
                 if daemon.poll() is not None:
                     raise RuntimeError(f"{name} has ended with {daemon.returncode}: {self.tail(name)}")
             if time.monotonic() > end:
                 raise TimeoutError(f"no {what} within {seconds} s")
             time.sleep(.2)
+        return holds
 
     def tail(self, name):
         files = [file for file in (self.folder / f"{name}.out", self.folder / f"{name}.log") if file.exists()]

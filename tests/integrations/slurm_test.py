@@ -63,17 +63,11 @@ def wait_for_end(cluster, job):
 
 def kill_a_node_at_work(cluster, node, job):
     """The shard that it was working on."""
-    def at_work():
-        tasks = tasks_of(cluster, job)
-        running = [shard for shard, task in tasks.items() if task["JobState"] == "RUNNING" and task["NodeList"] == node]
-        done = sum(task["JobState"] == "COMPLETED" for task in tasks.values())
-        return running[0] if running and done >= 2 and cluster.works(node, "parity") else None
-
-    cluster.wait(lambda: at_work() is not None, 120, f"task on {node}")
-    shard = at_work()
+    cluster.wait(lambda: sum(task["JobState"] == "COMPLETED" for task in tasks_of(cluster, job).values()) >= 2, 120, "two shards")
+    shard = int(cluster.wait(lambda: cluster.hold(node, "parity"), 120, f"task on {node}"))
     killed = cluster.kill_node(node)
     log(f"{node}: slurmd and {killed} processes of shard {shard} killed")
-    check(shard is not None and killed >= 3, "no shard was at work") # slurmstepd, the script, parity
+    check(killed >= 3, "no shard was at work") # slurmstepd, the script, parity
     cluster.wait(lambda: cluster.state(node).startswith("DOWN"), 90, f"{node} that is down")
     log(f"{node}: down; shard {shard} waits again")
     cluster.start_node(node)
