@@ -110,7 +110,7 @@ public:
   const std::vector<paths::Intermediate>& intermediates() const override { return views(); }
   bool hidesLobes() const override { return true; }
   std::uint32_t droppedLobes(const scenes::Material&, const paths::Options&) const override { return 0; }
-  bool switchesLights() const override { return true; }
+  bool leavesOutLights() const override { return true; }
   const shading::SurfaceModel* surfaceModel(const paths::Options& options) const override {
     return &options.of<Options>().model;
   }
@@ -134,6 +134,7 @@ public:
                 .shadows = shadowsOf(inputs),
                 .baked = bakedOf(inputs),
                 .terms = inputs.terms,
+                .leftOut = inputs.leftOut,
                 .hiddenFeatures = inputs.hiddenFeatures,
                 .view = inputs.intermediate,
                 .compilation = inputs.compilation,

@@ -110,9 +110,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return reachOf(inputs.lights[i]); });
   std::vector<scenes::Light> lights;
-  m_lights.resize(order.size());
+  m_places.resize(order.size());
   for (const std::size_t i : order) {
-    m_lights[i] = {lights.size(), inputs.lights[i].color};
+    m_places[i] = lights.size();
     const scenes::Light& light = lights.emplace_back(inputs.lights[i]);
     program.lights.push_back(gpu::packLight(light, inputs.shadows ? inputs.shadows->of(light) : gpu::ShadowOfLight()));
     ++(light.kind == scenes::LightKind::directional ? program.directionalCount : program.localCount);
@@ -145,7 +145,8 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                        gpu::falloffsOf(lights),
                        inputs.view,
                        hasPanorama ? 1u : 0u,
-                       inputs.environment && inputs.environment->lamps ? 1u : 0u};
+                       inputs.environment && inputs.environment->lamps ? 1u : 0u,
+                       static_cast<std::uint32_t>(inputs.leftOut)};
   program.everySceneConstants = program.constants;
   program.everySceneConstants[kConstantLocalKinds] = gpu::kLocalAll;
   program.everySceneConstants[kConstantFalloffs] = gpu::kFalloffsAll;
@@ -163,7 +164,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   }
   if (const auto everywhere = static_cast<std::size_t>(bounded - lights.begin()); everywhere > gpu::kMaxLightsOfAPixel)
     throw tooMany(device, everywhere);
+  assert(inputs.leftOut <= gpu::kMaxLeftOut);
   program.terms = inputs.terms;
+  program.leftOut = inputs.leftOut;
   constexpr std::uint32_t kLayers = gpu::kFeatureCoat | gpu::kFeatureSheen;
   assert((scene.lobes() & kLayers & ~inputs.hiddenFeatures) == 0 || inputs.sheenTable);
   program.hiddenFeatures = inputs.hiddenFeatures;
@@ -171,6 +174,12 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   program.expectedPixels = inputs.expectedPixels;
   program.compilation = inputs.compilation;
   m_pass = std::make_unique<gpu::ShadingPass>(device, scene, binKinds, std::move(program));
+}
+
+void Renderer::leaveOut(std::span<const std::size_t> lights) {
+  std::vector<std::size_t> places;
+  for (const std::size_t light : lights) places.push_back(m_places[light]);
+  m_pass->leaveOut(places);
 }
 
 std::size_t Renderer::countSamplers(const gpu::Permutation& permutation) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "gpu/surface/shading_pass.h"
@@ -25,6 +26,7 @@ struct Inputs {
   const gpu::BakedMaps* baked = nullptr;
   bool cullLights = true; // false: every pixel asks every light, with the same result
   bool terms = false;
+  std::size_t leftOut = 0; // pictures that lack a light each (leaveOut), in place of the terms; at most gpu::kMaxLeftOut
   std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: lobes that it leaves out
   std::uint32_t view = kViewLit;    // what the colour shows (highend/views.h)
   gpu::Compilation compilation = {};
@@ -39,10 +41,7 @@ public:
     if (m_shadows) m_shadows->fitTo(surface);
     return m_pass->shade(surface, camera);
   }
-  // The shaders stay the same, and so does every bit that the light adds nothing to.
-  void switchLight(std::size_t light, bool on) override {
-    m_pass->setLightColor(m_lights[light].place, on ? m_lights[light].color : glm::vec3(0));
-  }
+  void leaveOut(std::span<const std::size_t> lights) override;
   const gpu::ShadingPass& pass() const override { return *m_pass; }
   void setBackdrop(const gpu::Backdrop* backdrop) override { m_pass->setBackdrop(backdrop); }
   bool readsBackdrop() const override { return m_readsBackdrop; }
@@ -63,12 +62,8 @@ public:
   }
 
 private:
-  struct InputLight {
-    std::size_t place = 0; // in the pass's list
-    glm::vec3 color{0.f};
-  };
-  std::vector<InputLight> m_lights; // in the inputs' order
-  std::size_t m_ownSamplers = 0;    // besides the materials'
+  std::vector<std::size_t> m_places; // in the pass's list, of the inputs' lights
+  std::size_t m_ownSamplers = 0;     // besides the materials'
   gpu::ShadowMaps* m_shadows = nullptr;
   bool m_hasLut = false, m_readsBackdrop = false;
   gpu::DeviceImage m_lut;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -71,6 +72,7 @@ struct Inputs {
   bool asksForShadows = false;                 // of all lights, as far as the path can
   const gpu::ShadowOptions& shadowMaps;
   bool terms = false;
+  std::size_t leftOut = 0;          // at most gpu::kMaxLeftOut; not 0: so many pictures in place of the terms (leaveOut)
   std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: what to leave out, of a path that hidesLobes
   bool wide = false;                // one program for any of the path's options, where the path has such
   std::uint32_t intermediate = 0;   // place in Path::intermediates(); 0: the lit colour
@@ -110,9 +112,9 @@ public:
   virtual bool readsBackdrop() const { return false; } // of some material of the scene
   // "needs 9 samplers on mobile, of at most 8"; empty: the material needs no more than the path allows.
   virtual std::string describeExcess(const scenes::Material&) const { return {}; }
-  // Takes the light at this place of Inputs::light out of what is shaded from now on, or puts it back; of a path that
-  // switchesLights.
-  virtual void switchLight(std::size_t, bool) {}
+  // Of a path that leavesOutLights: from now on the colour lacks the lights at these places of Inputs::light. Where
+  // Inputs::leftOut is set, picture k lacks the k-th of them instead: at most so many.
+  virtual void leaveOut(std::span<const std::size_t>) {}
   virtual RendererWork work() const = 0;
   virtual const gpu::ShadowMaps* shadowMaps() const { return nullptr; } // null: none
   // What the path leaves out of the scene, in words ("2 of 6 local lights: ..."); and what its pictures so far do.
@@ -161,7 +163,7 @@ public:
   virtual std::vector<std::string> notesOn(const scenes::Material&, const Options&) const { return {}; }
   virtual std::string describeLight(const Options&, bool /*hasCaptures*/) const { return {}; }
 
-  virtual bool switchesLights() const { return false; } // Renderer::switchLight acts
+  virtual bool leavesOutLights() const { return false; } // Inputs::leftOut and Renderer::leaveOut act
   // Of each light, over the instances with samples; empty: the path drops no light. mayDropLights: quick.
   virtual bool mayDropLights(const std::vector<scenes::Light>&, const Options&) const { return false; }
   virtual std::vector<LightUse> countLightUse(const scenes::Scene&, const std::vector<scenes::Light>&, const Options&,

@@ -112,6 +112,8 @@ PARITY_CONST uint kListed = 0xfffffffeu;
 PARITY_CONST uint kTermsInA =
     5u; // planes of the first term buffer; the others are in the second: a buffer ends at 128 MiB
 
+PARITY_CONST uint kMaxLeftOut = 8u; // pictures without a light each (highend/shaders/left_out.glsl), in planes of terms
+
 // Planes of resolved materials (shaders/material.comp), in the first term buffer.
 PARITY_CONST uint kPlanePosition = 0u; // w: 1 where unlit
 PARITY_CONST uint kPlaneNormal = 1u;   // w: metallic
@@ -206,7 +208,7 @@ struct GpuLight {
   vec4 positionKind;      // world; kind as a number
   vec4 directionCosOuter; // unit, the way light travels; cosine of the outer cone
   vec4 cone;              // cosine of the inner cone; scale of its specular light; 1 + its first shadow view, how many
-  vec4 falloff;           // kFalloff... of shading/light.glsl; its exponent; 0, 0
+  vec4 falloff;           // kFalloff... of shading/light.glsl; its exponent; 1 + the picture that lacks it, 0: none; 0
 };
 
 // A square shadow map in a tile of a layer (gpu/shadows/shadow_views.h), as gpu/shaders/shadow.glsl reads it.

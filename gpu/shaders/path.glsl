@@ -360,10 +360,24 @@ void writeTerms(uint i, Terms terms) {
   for (uint k = kTermsInA; k < uint(kTermCount); ++k) outTermsB[(k - kTermsInA) * planeSize + i] = vec4(terms.t[k], 0.0);
 }
 
-// The colour is the sum of the terms, added in their order.
-void writeResult(uint i, Terms terms, float opacity) {
+// In their order.
+vec3 sumOf(Terms terms) {
   vec3 color = vec3(0.0);
   for (int k = 0; k < kTermCount; ++k) color += terms.t[k];
-  outColor[i] = vec4(color, opacity);
+  return color;
+}
+
+// The colour is the sum of the terms.
+void writeResult(uint i, Terms terms, float opacity) {
+  outColor[i] = vec4(sumOf(terms), opacity);
   writeTerms(i, terms);
+}
+
+// In place of a term.
+void writePicture(uint i, uint picture, Terms terms, float opacity) {
+  vec4 color = vec4(sumOf(terms), opacity);
+  if (picture < kTermsInA)
+    outTermsA[picture * planeSize + i] = color;
+  else
+    outTermsB[(picture - kTermsInA) * planeSize + i] = color;
 }

@@ -1,6 +1,7 @@
 #include "gpu/surface/shading_pass.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <set>
@@ -263,16 +264,20 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   result.premultiplied = program.premultiplied;
   const std::size_t n = surface.size();
   if (program.terms) result.terms.resize(shadesLobes ? program.planesOfLobes : scene.termCount());
+  if (program.leftOut != 0) result.terms.resize(program.leftOut);
   if (n == 0) return result;
 
   GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
-  const std::size_t written = shadesLobes ? program.planesOfLobes : shading::kBaseTermCount;
+  const std::size_t written = result.terms.empty() ? 0
+                              : program.leftOut != 0 ? program.leftOut
+                              : shadesLobes          ? program.planesOfLobes
+                                                     : shading::kBaseTermCount;
+  const std::size_t inA = std::min<std::size_t>(written, kTermsInA);
   const vk::DeviceSize plane = n * sizeof(glm::vec4);
-  const Buffer color(device, plane), termsA(device, program.terms ? kTermsInA * plane : 0),
-      termsB(device, program.terms ? (written - kTermsInA) * plane : 0);
+  const Buffer color(device, plane), termsA(device, inA * plane), termsB(device, (written - inA) * plane);
   const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
   const std::vector<Binding> bindings =
       surfaceBindings(surface, program.listLights ? lists : pathData, color, termsA, termsB);
@@ -303,7 +308,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
     fullBarrier(commands);
   });
   if (!runs) return {};
-  result.color = color.downloadAs<glm::vec4>(n);
+  if (program.leftOut == 0) result.color = color.downloadAs<glm::vec4>(n);
   for (std::size_t t = 0; t < result.terms.size(); ++t)
     result.terms[t] = t < kTermsInA ? termsA.downloadAs<glm::vec4>(n, t * plane)
                       : t < written ? termsB.downloadAs<glm::vec4>(n, (t - kTermsInA) * plane)
@@ -321,10 +326,16 @@ ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& c
 void ShadingPass::compile(const Surface& surface, const scenes::Camera& camera) const {
   m_impl->shade(surface, camera, false);
 }
-void ShadingPass::setLightColor(std::size_t light, const glm::vec3& color) {
-  GpuLight& changed = m_impl->program.lights.at(light);
-  changed.colorRange = vec4(color, changed.colorRange.w);
-  m_impl->lights.upload(std::as_bytes(std::span{&changed, 1}), light * sizeof(GpuLight));
+void ShadingPass::leaveOut(std::span<const std::size_t> lights) {
+  std::vector<GpuLight> changed = m_impl->program.lights;
+  const bool inTurn = m_impl->program.leftOut != 0;
+  assert(!inTurn || lights.size() <= m_impl->program.leftOut);
+  for (std::size_t k = 0; k < lights.size(); ++k)
+    if (GpuLight& light = changed.at(lights[k]); inTurn)
+      light.falloff.z = static_cast<float>(k + 1);
+    else
+      light.colorRange = vec4(0, 0, 0, light.colorRange.w);
+  m_impl->lights.upload(std::as_bytes(std::span{changed}));
 }
 void ShadingPass::setBackdrop(const Backdrop* backdrop) { m_impl->backdrop = backdrop; }
 std::vector<std::uint32_t> ShadingPass::exactConstants(const MaterialClass& c) const {

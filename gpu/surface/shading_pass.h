@@ -67,6 +67,7 @@ struct PathProgram {
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same
   bool asksForCounts = false; // at run time, as permutations of every scene do: for lights, environment and vertex data
   bool terms = false;
+  std::size_t leftOut = 0; // at most kMaxLeftOut; not 0: so many pictures, each without a light, in place of the terms
   std::size_t planesOfLobes = shading::kTermCount; // that spirvOfLobes writes where it writes terms
   bool premultiplied = false;                      // the shader multiplies colour and terms by the opacity
   std::uint64_t expectedPixels = 0; // that this run will shade by this path: decides what is worth compiling
@@ -75,8 +76,8 @@ struct PathProgram {
 
 // Per entry of a surface, in its order.
 struct ShadedSurface {
-  std::vector<glm::vec4> color;              // radiance, opacity
-  std::vector<std::vector<glm::vec4>> terms; // SceneBuffers::termCount() planes, or none
+  std::vector<glm::vec4> color;              // radiance, opacity; empty where lights are left out
+  std::vector<std::vector<glm::vec4>> terms; // SceneBuffers::termCount() planes, or none; or pictures, as `color`
   bool premultiplied = false;                // radiance and terms are times the opacity already
 };
 
@@ -100,8 +101,9 @@ public:
   // Has the driver compile what shade() would run, and runs nothing.
   void compile(const Surface& surface, const scenes::Camera& camera) const;
 
-  // From now on this light of the program's list has that colour: black switches it off, and no shader is compiled.
-  void setLightColor(std::size_t light, const glm::vec3& color);
+  // From now on the colour lacks these lights of the program's list; no shader is compiled. Where PathProgram::leftOut is
+  // set, picture k lacks the k-th of them instead, and others lack none: at most so many.
+  void leaveOut(std::span<const std::size_t> lights);
 
   // From now on what lies behind surfaces that light passes through (binding 29); null: nothing. It must outlive the
   // pass or be taken off.

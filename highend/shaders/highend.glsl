@@ -239,6 +239,8 @@ vec3 lightBehind(GpuLight light, Point p, vec3 L, vec3 illuminance) {
 }
 #endif
 
+#include "highend/shaders/left_out.glsl"
+
 // Evaluated at the pixel.
 Terms inFog(Terms terms, Point p) {
   if (!hasVertexData(kVertexFog)) return terms;
@@ -254,7 +256,9 @@ void main() {
   Terms terms = noTerms();
   if (hasFeature(kFeatureUnlit, p.material)) {
     terms.t[kTermEmissive] = m.baseColor;
-    writeResult(i, inFog(terms, p), m.opacity);
+    terms = inFog(terms, p);
+    for (uint k = 0u; k < kLeftOut; ++k) writePicture(i, k, terms, m.opacity);
+    if (kLeftOut == 0u) writeResult(i, terms, m.opacity);
     if (kView != kViewLit) outColor[i] = vec4(0.0, 0.0, 0.0, m.opacity);
     return;
   }
@@ -264,6 +268,7 @@ void main() {
   Layers layers = makeLayers(s, m);
   Through through = makeThrough(s, m);
 #endif
+  beginLeftOut();
   for (uint k = 0u; k < directionalCount(); ++k) {
     vec3 L = -lights[k].directionCosOuter.xyz, illuminance = lights[k].colorRange.xyz;
 #ifdef PARITY_LOBES
@@ -278,6 +283,7 @@ void main() {
 #ifdef PARITY_LOBES
     addLayersLight(terms, layers, s, L, illuminance * lights[k].cone.y);
 #endif
+    if (kLeftOut != 0u) shareOut(terms, lights[k]);
   }
   // Those that reach everything, then those in the list of this group of entries (highend/light_culling.h); or all. In
   // the same order, so that the sums are the same to the last bit.
@@ -303,6 +309,7 @@ void main() {
 #ifdef PARITY_LOBES
     addLayersLight(terms, layers, s, L, illuminance * light.cone.y);
 #endif
+    if (kLeftOut != 0u) shareOut(terms, light);
   }
   if (hasEnvironment()) {
     if ((kBaked & kBakedCaptures) != 0u) s.captures = captureBlendAt(p.position);
@@ -335,6 +342,16 @@ void main() {
     vec3 irradianceOverPi = hasEnvironment() ? skyIrradianceOverPi(-s.N) * sky : vec3(0.0);
     addThroughEnvironment(terms, through, m, s, p, sky, irradianceOverPi);
   }
+#endif
+  for (uint k = 0u; k < kLeftOut; ++k) {
+    Terms each = withLightsBut(k, terms);
+#ifdef PARITY_LOBES
+    layOver(each, layers);
+#endif
+    writePicture(i, k, inFog(each, p), m.opacity);
+  }
+  if (kLeftOut != 0u) return;
+#ifdef PARITY_LOBES
   layOver(terms, layers);
 #endif
   writeResult(i, inFog(terms, p), m.opacity);

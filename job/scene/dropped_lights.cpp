@@ -51,24 +51,25 @@ std::optional<report::DroppedLights> measureDroppedLights(Context& context, cons
 
   const std::vector<std::string> names = scenes::lightNames(lights);
   report::DroppedLights dropped{.lights = lights.size(), .measured = {}, .notMeasured = {}};
-  for (const std::size_t i : order) {
-    if (dropped.measured.size() >= static_cast<std::size_t>(settings.droppedLights)) {
-      dropped.notMeasured.push_back(names[i]);
-      continue;
-    }
-    // Its place among the first path's: the other has the same but for a sun of the environment, which it keeps.
+  const std::size_t measured = std::min(order.size(), static_cast<std::size_t>(settings.droppedLights));
+  for (std::size_t i = measured; i < order.size(); ++i) dropped.notMeasured.push_back(names[order[i]]);
+  order.resize(measured);
+  // Their places among the first path's: the other has the same but for a sun of the environment, which it keeps.
+  for ([[maybe_unused]] const std::size_t i : order)
     assert(i < prepared.lights.size() && prepared.lights[i].name == lights[i].name);
-    const base::Image color = renderer.renderWithout(i, camera);
-    const base::Stopwatch watch(&context.timings(), "dropped lights");
+  const std::vector<base::Image> pictures = renderer.renderWithout(order, camera);
+  const base::Stopwatch watch(&context.timings(), "dropped lights");
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const paths::LightUse& use = uses[order[k]];
     std::set<std::size_t> materials;
-    for (const std::uint32_t instance : uses[i].droppedBy) materials.insert(materialOf(scene, instance));
+    for (const std::uint32_t instance : use.droppedBy) materials.insert(materialOf(scene, instance));
     dropped.measured.push_back(
-        {.name = names[i],
-         .kind = scenes::nameOf(lights[i].kind),
-         .keptBy = uses[i].keptBy,
-         .droppedBy = uses[i].droppedBy.size(),
+        {.name = names[order[k]],
+         .kind = scenes::nameOf(lights[order[k]].kind),
+         .keptBy = use.keptBy,
+         .droppedBy = use.droppedBy.size(),
          .materials =
-             named(swapEffects(context, materials, frames, compared.reference, color, settings.exposureEv), scene)});
+             named(swapEffects(context, materials, frames, compared.reference, pictures[k], settings.exposureEv), scene)});
   }
   report::rankByEffect(dropped);
   return dropped;

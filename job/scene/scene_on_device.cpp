@@ -110,6 +110,7 @@ std::unique_ptr<paths::Renderer> SceneOnDevice::makeRenderer(const paths::Path& 
                             .asksForShadows = m_prepared.settings.shadows,
                             .shadowMaps = m_settings.shadowMaps,
                             .terms = wish.terms,
+                            .leftOut = wish.leftOut,
                             .hiddenFeatures = wish.hiddenFeatures,
                             .wide = wish.wide,
                             .intermediate = wish.intermediate,

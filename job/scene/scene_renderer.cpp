@@ -62,7 +62,9 @@ void SceneRenderer::makeRenderers() {
   for (std::size_t i = 0; i < m_choice.chosen.size(); ++i) {
     SceneOnDevice::RendererWish wish{.terms = m_shadesTerms, .intermediate = m_choice.intermediate};
     if (!m_plans.empty()) wish.plan = m_plans[i];
-    m_paths.push_back({m_choice.chosen[i], makeRenderer(*m_choice.chosen[i], wish, m_views), {}, {}, {}, {}, {}});
+    PathState& state = m_paths.emplace_back();
+    state.path = m_choice.chosen[i];
+    state.plain = makeRenderer(*m_choice.chosen[i], wish, m_views);
   }
   for (std::size_t i = 1; i < m_paths.size(); ++i) // those that are compared with the first
     if (m_scene.hasOwnTextures(*m_paths[i].path, m_settings.options))
@@ -72,7 +74,9 @@ void SceneRenderer::makeRenderers() {
   if (m_choice.compares())
     for (const WhatIfPreset& each : m_settings.whatIfs) {
       const paths::Path& path = pathByName(each.path);
-      m_whatIfs.push_back({&path, makeRenderer(path, each.options, {}, m_views), {}, {}, {}, {}, {}});
+      PathState& state = m_whatIfs.emplace_back();
+      state.path = &path;
+      state.plain = makeRenderer(path, each.options, {}, m_views);
     }
   if (m_choice.truth) {
     m_truth.emplace(m_context, m_prepared, m_settings, m_scene.buffers(), m_scene.surfacePass().binKinds(),
@@ -84,7 +88,7 @@ void SceneRenderer::makeRenderers() {
 bool SceneRenderer::mayDropLights() const {
   if (m_settings.droppedLights == 0 || !m_choice.compares() || !m_prepared.isLit) return false;
   // Only of those that are compared, and where the first can leave a light out.
-  if (!m_choice.chosen.front()->switchesLights()) return false;
+  if (!m_choice.chosen.front()->leavesOutLights()) return false;
   return std::any_of(m_choice.chosen.begin() + 1, m_choice.chosen.end(), [&](const paths::Path* path) {
     return path->mayDropLights(lightOf(m_prepared, *path).lights, m_settings.options);
   });

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,9 @@ public:
   // For runs that ask for what a path's dropped lights do (settings.droppedLights), where it may drop any: how many
   // samples the view that was rendered last shows of each instance. Else empty.
   const std::vector<std::uint64_t>& seenSamples() const { return m_seenSamples; }
-  // That view again, by the first path with one of the prepared scene's lights out: the picture's colour. Only where
-  // there are seenSamples.
-  base::Image renderWithout(std::size_t light, const scenes::Camera& camera);
+  // That view again, by the first path, without each of these lights of the prepared scene: the pictures' colours. Only
+  // where there are seenSamples.
+  std::vector<base::Image> renderWithout(std::span<const std::size_t> lights, const scenes::Camera& camera);
 
   // That view again, by the first path without these lobes (of gpu::kFeatureLobes). Only where it
   // hidesLobes.
@@ -66,7 +67,9 @@ private:
     const paths::Path* path = nullptr;
     std::unique_ptr<paths::Renderer> plain;               // with terms where m_shadesTerms
     std::unique_ptr<paths::Renderer> ofOriginals;         // where it has textures of its own, and the run compares
-    std::unique_ptr<paths::Renderer> withTerms, switched; // made when first needed
+    // Made when first needed. leavingOut: a picture without a light by the shaders of `plain`; inTurn: several at once.
+    std::unique_ptr<paths::Renderer> withTerms, leavingOut, inTurn;
+    std::size_t leftOut = 0; // pictures of inTurn
     std::map<std::uint32_t, std::unique_ptr<paths::Renderer>> without; // the same, without some lobes
     std::optional<gpu::Backdrop> backdrop; // of the last view, where the path reads one; the path's renderers share it
 
@@ -105,6 +108,8 @@ private:
   };
   // Composes the surfaces of the view that was rendered last: those that were kept, else rasterised again.
   void layAgain(const scenes::Camera& camera, Work& work, const Composition& composition);
+  // Whether shading each light once for all pictures saves more than compiling the shaders for it takes.
+  bool paysInTurn(std::size_t lights) const;
   gpu::FrameBuilder makeFrame(bool terms) const;
   void countSurface(const gpu::Surface& surface, Work& work) const;
 

@@ -1,7 +1,9 @@
-// Looks at the view that was rendered last once more: by its terms, without a light, without a lobe.
+// Looks at the view that was rendered last once more: by its terms, without lights, without a lobe.
 #include "job/scene/scene_renderer.h"
 
+#include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include "job/view/term_variants.h"
 
@@ -47,22 +49,47 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
   frames.paths[path].termVariants = variants.take(frames.coverage, {});
 }
 
-base::Image SceneRenderer::renderWithout(std::size_t light, const scenes::Camera& camera) {
-  assert(m_mayDropLights);
+bool SceneRenderer::paysInTurn(std::size_t lights) const {
+  const std::uint64_t samples = std::accumulate(m_seenSamples.begin(), m_seenSamples.end(), std::uint64_t{0});
+  const std::size_t shaders = m_paths.front().plain->pass().compiled().size();
+  return static_cast<double>(samples * (lights - 1)) * gpu::kShadingNsPerSample >
+         static_cast<double>(shaders) * gpu::kPermutationCostMs * 1e6;
+}
+
+std::vector<base::Image> SceneRenderer::renderWithout(std::span<const std::size_t> lights,
+                                                      const scenes::Camera& camera) {
+  assert(m_mayDropLights && !lights.empty());
   PathState& first = m_paths.front();
-  if (!first.switched)
-    first.switched = makeRenderer(*first.path, {.terms = m_shadesTerms, .plan = first.plain->pass().plan()}, m_views);
-  gpu::FrameBuilder frame = makeFrame(false);
-  first.switched->switchLight(light, false);
-  first.giveBackdrop(*first.switched);
-  const auto lay = [&](const KeptLayer& layer) {
-    const base::Stopwatch watch(&m_context.timings(), "shade without a light");
-    frame.lay(layer.surface, first.switched->shade(layer.surface, camera));
-  };
-  layAgain(camera, m_work, {[&](const gpu::Tile& tile) { frame.begin(tile); }, lay, [&] { frame.end(); }});
-  first.switched->switchLight(light, true);
-  ++m_work.lightPictures;
-  return frame.take().color;
+  const std::shared_ptr<gpu::PermutationPlan> plan = first.plain->pass().plan();
+  if (!first.inTurn && paysInTurn(lights.size())) {
+    first.leftOut = std::min<std::size_t>(lights.size(), gpu::kMaxLeftOut);
+    first.inTurn = makeRenderer(*first.path, {.leftOut = first.leftOut, .plan = plan}, m_views);
+  }
+  if (!first.inTurn && !first.leavingOut)
+    first.leavingOut = makeRenderer(*first.path, {.terms = m_shadesTerms, .plan = plan}, m_views);
+  paths::Renderer& renderer = first.inTurn ? *first.inTurn : *first.leavingOut;
+  first.giveBackdrop(renderer);
+  std::vector<base::Image> pictures;
+  for (std::size_t begin = 0; begin < lights.size();) {
+    const std::size_t count = first.inTurn ? std::min(first.leftOut, lights.size() - begin) : 1;
+    renderer.leaveOut(lights.subspan(begin, count));
+    begin += count;
+    std::vector<gpu::FrameBuilder> frames(count, makeFrame(false));
+    const auto lay = [&](const KeptLayer& layer) {
+      const base::Stopwatch watch(&m_context.timings(), "shade without a light");
+      gpu::ShadedSurface shaded = renderer.shade(layer.surface, camera);
+      for (std::size_t k = 0; k < count; ++k) {
+        if (first.inTurn) shaded.color = std::move(shaded.terms[k]);
+        frames[k].lay(layer.surface, shaded);
+      }
+    };
+    layAgain(camera, m_work,
+             {[&](const gpu::Tile& tile) { std::ranges::for_each(frames, [&](auto& frame) { frame.begin(tile); }); },
+              lay, [&] { std::ranges::for_each(frames, [](auto& frame) { frame.end(); }); }});
+    for (gpu::FrameBuilder& frame : frames) pictures.push_back(frame.take().color);
+    m_work.lightPictures += count;
+  }
+  return pictures;
 }
 
 base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scenes::Camera& camera) {

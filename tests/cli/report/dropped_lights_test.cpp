@@ -39,9 +39,9 @@ void addHiddenAndUnlit(GltfFile& file) {
 class DroppedLightsTest : public RenderingTest {
 protected:
   // The only scene of a run that writes JSON to stdout.
-  static Json diff(const std::string& scene, const std::vector<std::string>& options) {
-    const RunResult result =
-        runParity(join({{"diff", scene, "--json", "-", "--attribution", "none"}, kSmall, options}));
+  static Json diff(const std::string& scene, const std::vector<std::string>& options,
+                   const std::vector<std::string>& size = kSmall) {
+    const RunResult result = runParity(join({{"diff", scene, "--json", "-", "--attribution", "none"}, size, options}));
     EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
     return Json::parse(result.out)["scenes"][0];
   }
@@ -88,12 +88,13 @@ protected:
   }
 
   // Mean FLIP of two pictures of `parity render` by `parity flip`.
-  double flipOfRenders(const std::string& reference, const std::string& test) const {
+  double flipOfRenders(const std::string& reference, const std::string& test,
+                       const std::vector<std::string>& size = kSmall) const {
     std::vector<std::string> files;
     for (const std::string& scene : {reference, test}) {
       files.push_back((m_folder / ("picture" + std::to_string(files.size()) + ".png")).string());
       EXPECT_TRUE(exitedWith(
-          0, runParity(join({{"render", scene, "--path", "highend", "-o", files.back()}, kSmall, kCloseUp}))));
+          0, runParity(join({{"render", scene, "--path", "highend", "-o", files.back()}, size, kCloseUp}))));
     }
     const RunResult result = runParity({"flip", files[0], files[1], "--json", "-"});
     const Json flip = Json::parse(result.out);
@@ -184,6 +185,31 @@ TEST_F(DroppedLightsTest, ALimitMeasuresTheBrightestAndNamesTheOthersAndZeroLook
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_NEAR(dropped(sampled)["measured"][i]["materials"][0]["flip"].get<double>(),
                 dropped(two)["measured"][i]["materials"][0]["flip"].get<double>(), 0.01);
+}
+
+// Of a large picture each light is shaded once for eight pictures; of one light alone, by the shaders that are there.
+TEST_F(DroppedLightsTest, ManyLightsAreMeasuredAtOnceWithTheSameFigures) {
+  const std::vector<double> candela = {0.1,   0.12,  0.14,  0.16,  0.02,  0.019, 0.018,
+                                       0.017, 0.016, 0.015, 0.014, 0.013, 0.012, 0.011};
+  const std::string all = writeLights(candela, false);
+  const std::vector<std::string> large = {"--size", "512x512", "--validation"};
+  const Json many = diff(all, join({kCloseUp, {"--dropped-lights", "10"}}), large),
+             one = diff(all, join({kCloseUp, {"--dropped-lights", "1"}}), large);
+  const Json lights = dropped(many)["measured"];
+  ASSERT_EQ(lights.size(), 10u);
+  EXPECT_EQ(countOf(many, "dropped lights"), 10u);
+  EXPECT_EQ(countOf(many, "shade highend"), 3 * countOf(many, "surface")) << "eight at once, then two";
+  EXPECT_EQ(countOf(one, "shade highend"), 2 * countOf(one, "surface"));
+  std::map<std::string, double> effects;
+  for (const Json& light : lights) effects[light["name"]] = light["materials"][0]["flip"];
+  const Json alone = dropped(one)["measured"][0];
+  EXPECT_NEAR(effects.at(alone["name"]), alone["materials"][0]["flip"].get<double>(), 1e-7) << alone;
+  // The last two, by the commands that know nothing of dropped lights.
+  for (const std::size_t i : {12u, 13u}) {
+    const double truth = flipOfRenders(all, writeLights(candela, false, {i}), large);
+    EXPECT_GT(truth, 1e-4);
+    EXPECT_NEAR(effects.at("lamp (" + std::to_string(i + 1) + ")"), truth, 1e-6) << i;
+  }
 }
 
 TEST_F(DroppedLightsTest, NothingIsDoneWhereMobileHasAllLights) {

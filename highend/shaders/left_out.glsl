@@ -1,0 +1,28 @@
+// Pictures that lack a light each, in place of the terms: each light is shaded once for all of them.
+
+layout(constant_id = 20) const uint kLeftOut = 0u; // how many; at most kMaxLeftOut
+
+Terms withoutLight[kMaxLeftOut]; // what all lights but one give
+
+void beginLeftOut() {
+  for (uint k = 0u; k < kLeftOut; ++k) withoutLight[k] = noTerms();
+}
+
+// Terms that lights add to.
+bool isOfLights(int term) { return term <= kTermLocalSpecular || term > kTermFog; }
+
+// added: what this light gives. All pictures but its own take it; then it is nothing again.
+void shareOut(inout Terms added, GpuLight light) {
+  uint own = uint(light.falloff.z); // 1 + its picture; 0: none
+  for (uint k = 0u; k < kLeftOut; ++k)
+    for (int t = 0; t < kTermCount; ++t)
+      if (isOfLights(t)) withoutLight[k].t[t] += own == k + 1u ? vec3(0.0) : added.t[t];
+  added = noTerms();
+}
+
+// rest: the light of everything but lights.
+Terms withLightsBut(uint picture, Terms rest) {
+  for (int t = 0; t < kTermCount; ++t)
+    if (isOfLights(t)) rest.t[t] += withoutLight[picture].t[t];
+  return rest;
+}

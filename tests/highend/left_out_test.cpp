@@ -1,0 +1,137 @@
+// Pictures that lack a light each, shaded at once, are those that are shaded one by one.
+#include "support/device.h"
+#include "support/path_quad.h"
+#include "support/small_scenes.h"
+
+#include <set>
+
+#include "gpu/surface/surface_pass.h"
+#include "highend/renderer.h"
+#include "scenes/builtin/shapes.h"
+
+namespace parity::highend {
+namespace {
+
+constexpr std::uint32_t kLeftOutSide = 96;
+
+// Balls over a plane in fog: a plain one, an unlit one; with lobes a coated one with fibres, and one that light passes.
+struct Balls {
+  scenes::Scene scene;
+  scenes::Camera camera = tests::makeFrontCamera(5, 12, false);
+  explicit Balls(bool withLobes) {
+    scene.meshes = {tests::makeQuad(0)};
+    scene.materials.resize(withLobes ? 5 : 3);
+    scene.materials[0].roughness = 0.6f;
+    scene.materials[1].metallic = 1;
+    scene.materials[1].roughness = 0.3f;
+    scene.materials[2].unlit = true;
+    if (withLobes) {
+      scene.materials[3].coat = 0.8f;
+      scene.materials[3].sheenColor = glm::vec3(0.4f, 0.3f, 0.9f);
+      scene.materials[3].sheenRoughness = 0.4f;
+      scene.materials[4].transmission = 0.5f;
+      scene.materials[4].diffuseTransmission = 0.5f;
+    }
+    scene.instances.push_back(
+        {0, glm::mat4(glm::vec4(6, 0, 0, 0), glm::vec4(0, 6, 0, 0), glm::vec4(0, 0, 1, 0), glm::vec4(0, 0, 0, 1)),
+         "plane"});
+    for (std::uint32_t m = 1; m < scene.materials.size(); ++m) {
+      scene.meshes.push_back(scenes::makeSphere(0.9, 24, 12));
+      scene.meshes.back().material = m;
+      scene.instances.push_back({m, tests::translation(2.f * static_cast<float>(m) - 5, 0, 1), "ball"});
+    }
+    scene.fog = scenes::Fog{.density = 0.02f, .heightFalloff = 0.1f};
+    scene.name = "balls";
+  }
+};
+
+// A sun and local lights of all kinds about the balls, the others so weak that each can be told from none.
+std::vector<scenes::Light> makeLightsAbout(std::size_t count) {
+  std::vector<scenes::Light> lights(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float turn = 2.4f * static_cast<float>(i);
+    lights[i].kind = i == 1       ? scenes::LightKind::directional
+                     : i % 3 == 2 ? scenes::LightKind::spot
+                                  : scenes::LightKind::point;
+    lights[i].color = glm::vec3(1, 0.5f + 0.1f * static_cast<float>(i % 5), 0.4f);
+    lights[i].position = {3 * std::cos(turn), 3 * std::sin(turn), 2.5f - static_cast<float>(i % 2)};
+    lights[i].range = i % 4 == 0 ? 0.f : 6.f;
+    lights[i].direction = glm::normalize(-glm::vec3(lights[i].position) * glm::vec3(1, 1, 0.5f));
+    lights[i].innerConeAngle = 0.5f;
+    lights[i].outerConeAngle = 1.2f;
+  }
+  return lights;
+}
+
+class LeftOutTest : public tests::DeviceTest {};
+
+void expectSamePicture(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b, const std::string& what) {
+  ASSERT_EQ(a.size(), b.size()) << what;
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (int c = 0; c < 4; ++c)
+      worst = std::max(worst, std::abs(double{a[i][c]} - double{b[i][c]}) / (std::abs(double{b[i][c]}) + 1e-3));
+  EXPECT_LT(worst, 2e-6) << what; // another shader may be rounded otherwise
+}
+
+double largestDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(double{a[i][c]} - double{b[i][c]}));
+  return most;
+}
+
+TEST_F(LeftOutTest, EachPictureLacksItsLightAndNothingElse) {
+  const base::Image table(2, 2, 4), sheen(2, 2, 1);
+  base::Image lut = table;
+  for (int i = 0; i < 4; ++i) {
+    const float texel[] = {0.7f, 0.05f, 0.5f, 1};
+    std::copy_n(texel, 4, lut.pixels.data() + 4 * i);
+  }
+  const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 0.3f);
+  for (const bool withLobes : {false, true})
+    for (const std::size_t count : withLobes ? std::vector{24u} : std::vector{6u, 24u}) { // with and without lists of them
+      SCOPED_TRACE(std::to_string(count) + (withLobes ? " lights, lobes" : " lights"));
+      const Balls balls(withLobes);
+      const gpu::SceneBuffers buffers(device(), balls.scene);
+      const gpu::SurfacePass pass(device(), buffers, kLeftOutSide, kLeftOutSide);
+      const auto surfaces = pass.render(balls.camera, {0, kLeftOutSide}, glm::vec2(0.5f));
+      Inputs inputs;
+      inputs.environment = &sky;
+      inputs.lut = &lut;
+      inputs.sheenTable = withLobes ? &sheen : nullptr;
+      inputs.transmits = withLobes;
+      inputs.lights = makeLightsAbout(count);
+      inputs.compilation.budget = {.own = 1}; // one shader for all materials
+      Renderer plain(device(), buffers, pass.binKinds(), inputs, {});
+      inputs.leftOut = 4;
+      Renderer inTurn(device(), buffers, pass.binKinds(), inputs, {});
+      const auto pictureOf = [&](std::span<const std::size_t> lights) {
+        plain.leaveOut(lights);
+        return plain.shade(surfaces.front(), balls.camera).color;
+      };
+      const std::vector<glm::vec4> whole = pictureOf({});
+      EXPECT_EQ(std::set<std::uint32_t>(surfaces.front().instances.begin(), surfaces.front().instances.end()).size(),
+                balls.scene.instances.size());
+
+      const std::vector<std::size_t> out = {3, 1, 0, 5}; // a point, the sun, one of no range, a spot
+      inTurn.leaveOut(out);
+      const gpu::ShadedSurface shaded = inTurn.shade(surfaces.front(), balls.camera);
+      EXPECT_TRUE(shaded.color.empty());
+      ASSERT_EQ(shaded.terms.size(), out.size());
+      for (std::size_t k = 0; k < out.size(); ++k) {
+        const std::vector<glm::vec4> wanted = pictureOf(std::span(out).subspan(k, 1));
+        EXPECT_GT(largestDifference(wanted, whole), 1e-3) << out[k];
+        expectSamePicture(shaded.terms[k], wanted, std::to_string(out[k]));
+      }
+
+      // Fewer lights than pictures: the others are whole. What was left out before is there again.
+      inTurn.leaveOut(std::span(out).first(1));
+      const gpu::ShadedSurface fewer = inTurn.shade(surfaces.front(), balls.camera);
+      expectSamePicture(fewer.terms[0], shaded.terms[0], "the first again");
+      for (std::size_t k = 1; k < out.size(); ++k) expectSamePicture(fewer.terms[k], whole, "whole");
+    }
+}
+
+} // namespace
+} // namespace parity::highend
