@@ -32,7 +32,9 @@ private:
   std::optional<TargetCodec> m_target;
   base::Frame m_frame; // the sum over samples
   Tile m_tile;
-  std::vector<std::vector<float>> m_sample; // of the tile: colour, then the terms
+  // Of the tile: colour, then the terms. Of the frame's own pixels, where there is one sample.
+  std::vector<std::vector<float>> m_sample;
+  std::vector<float*> m_planes; // where they begin
 };
 
 } // namespace parity::gpu

@@ -58,8 +58,11 @@ void SwapBuilder::begin(const Tile& tile) {
   m_colors.clear();
   m_head.assign(pixels, kNone);
   m_base.resize(pixels * m_planes);
-  for (std::size_t i = 0; i < m_base.size(); ++i) m_base[i] = m_background[i % m_planes];
-  if (m_samples == 1 || m_samplesOfTile > 0) return;
+  m_isBare.assign(pixels, 1);
+  if (m_samples == 1) return; // bare pixels stay so
+  std::ranges::fill(m_isBare, 0);
+  for (std::size_t i = 0; i < pixels; ++i) std::ranges::copy(m_background, &m_base[i * m_planes]);
+  if (m_samplesOfTile > 0) return;
   m_baseSums.assign(m_base.size(), glm::vec3(0.f));
   m_exactSums.assign(m_base.size(), glm::dvec3(0));
 }
@@ -79,6 +82,10 @@ void SwapBuilder::lay(const Surface& surface, const ShadedSurface& reference, co
         return composeByTarget(glm::vec3(planes[plane].test[i]), behind, ofTest, m_target ? &*m_target : nullptr);
       };
       glm::vec3* behind = &m_base[place * m_planes];
+      if (m_isBare[place] != 0) {
+        m_isBare[place] = 0;
+        std::ranges::copy(m_background, behind);
+      }
       bool found = false;
       for (std::uint32_t e = m_head[place]; e != kNone; e = m_entries[e].next) {
         const bool isOwn = m_entries[e].material == material;

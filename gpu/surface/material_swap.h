@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/frame.h"
+#include "base/raw_vector.h"
 #include "gpu/surface/output_target.h"
 #include "gpu/surface/shading_pass.h"
 
@@ -48,6 +49,11 @@ public:
            std::span<const SwapPlane> planes);
   void end();
 
+  // Whether the builder swaps what is seen at this entry of a surface: else it does not read the test's colours there.
+  bool swaps(const Surface& surface, std::size_t entry) const {
+    return m_wanted[m_materialOf[surface.instances[entry]]] != 0;
+  }
+
   // For each coverage list (CoverageBuilder) the swapped pixels. finished: the test path's finished picture, one a
   // plane, or empty: it is what a whole pixel shows, so that samples are averaged in the target's own numbers. The
   // builder is empty afterwards.
@@ -87,8 +93,9 @@ private:
   // Of the sample.
   std::vector<std::uint32_t> m_head; // the first entry of each pixel
   std::vector<Entry> m_entries;
-  std::vector<glm::vec3> m_colors; // of the entries: their swapped pictures, plane by plane
-  std::vector<glm::vec3> m_base;   // of the pixels: the base pictures, plane by plane
+  base::RawVector<glm::vec3> m_colors; // of the entries: their swapped pictures, plane by plane
+  base::RawVector<glm::vec3> m_base;   // of the pixels: the base pictures, plane by plane
+  std::vector<char> m_isBare;          // of the pixels: nothing is seen there yet, and m_base is not set
   // Of the tile, where there are several samples: sums over them.
   std::vector<glm::vec3> m_baseSums; // as FrameBuilder adds them up
   std::vector<glm::dvec3> m_exactSums;

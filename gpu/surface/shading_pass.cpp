@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "base/parallel.h"
 #include "shading/shading.h"
 #include "shading/terms.h"
 
@@ -309,10 +310,15 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   });
   if (!runs) return {};
   if (program.leftOut == 0) result.color = color.downloadAs<glm::vec4>(n);
-  for (std::size_t t = 0; t < result.terms.size(); ++t)
+  const auto download = [&](std::size_t t) {
     result.terms[t] = t < kTermsInA ? termsA.downloadAs<glm::vec4>(n, t * plane)
                       : t < written ? termsB.downloadAs<glm::vec4>(n, (t - kTermsInA) * plane)
                                     : std::vector<glm::vec4>(n);
+  };
+  if (device.unifiedMemory()) // most of the time goes to new pages of the host's memory
+    base::parallelFor(result.terms.size(), 1, [&](std::size_t t, std::size_t) { download(t); });
+  else
+    for (std::size_t t = 0; t < result.terms.size(); ++t) download(t);
   return result;
 }
 

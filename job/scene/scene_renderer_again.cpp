@@ -32,7 +32,7 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
   const auto compose = [&](const gpu::Surface& surface, const gpu::ShadedSurface& a, const gpu::ShadedSurface& b) {
     firstFrame.lay(surface, a);
     otherFrame.lay(surface, b);
-    variants.lay(surface, a, b, TermVariants(surface, a, b).planes());
+    variants.lay(surface, a, b, TermVariants(surface, a, b, variants).planes());
   };
   const auto lay = [&](const KeptLayer& layer) {
     const base::Stopwatch watch(&m_context.timings(), "shade terms");

@@ -13,11 +13,12 @@ constexpr std::size_t kGrainSamples = 16384;
 } // namespace
 
 TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface& reference,
-                           const gpu::ShadedSurface& test)
+                           const gpu::ShadedSurface& test, const gpu::SwapBuilder& swap)
     : m_reference(reference), m_test(test), m_colors(test.terms.size()) {
-  for (std::vector<glm::vec4>& colors : m_colors) colors.resize(surface.size());
+  for (base::RawVector<glm::vec4>& colors : m_colors) colors.resize(surface.size());
   base::parallelFor(surface.size(), kGrainSamples, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      if (!swap.swaps(surface, i)) continue;
       // The reference's term as the test would have it: times the opacity where the test's are.
       const bool multiplied = surface.blended && test.premultiplied && !reference.premultiplied;
       const double opacity = multiplied ? reference.color[i].w : 1;
@@ -42,7 +43,7 @@ TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface
 
 std::vector<gpu::SwapPlane> TermVariants::planes() const {
   std::vector<gpu::SwapPlane> planes = {{m_reference.color, m_test.color}};
-  for (const std::vector<glm::vec4>& colors : m_colors) planes.push_back({m_reference.color, colors});
+  for (const base::RawVector<glm::vec4>& colors : m_colors) planes.push_back({m_reference.color, colors});
   return planes;
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/raw_vector.h"
 #include "gpu/surface/material_swap.h"
 
 namespace parity::job {
@@ -11,15 +12,17 @@ namespace parity::job {
 class TermVariants {
 public:
   // Variant t is the test's colour less its term t, plus the reference's; where the test's colour is not finite the sum
-  // of its other terms, plus the reference's, so that a term that is NaN is found. Nothing is clamped.
-  TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface& reference, const gpu::ShadedSurface& test);
+  // of its other terms, plus the reference's, so that a term that is NaN is found. Nothing is clamped. Only at entries
+  // that `swap` swaps; others have no value.
+  TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface& reference, const gpu::ShadedSurface& test,
+               const gpu::SwapBuilder& swap);
 
   // The test's colours as they are, then the variants, one for each term; each beside the reference's colours.
   std::vector<gpu::SwapPlane> planes() const;
 
 private:
   const gpu::ShadedSurface &m_reference, &m_test;
-  std::vector<std::vector<glm::vec4>> m_colors;
+  std::vector<base::RawVector<glm::vec4>> m_colors;
 };
 
 } // namespace parity::job
