@@ -32,6 +32,11 @@ public:
   void upload(std::span<const std::byte> bytes, vk::DeviceSize offset = 0) const;
   void download(std::span<std::byte> bytes, vk::DeviceSize offset = 0) const;
   template <typename T> std::vector<T> downloadAs(std::size_t count, vk::DeviceSize offset = 0) const {
+    if (const std::byte* mapped = m_memory.mapped(); mapped && count > 0) { // not cleared first
+      assert(offset + count * sizeof(T) <= m_size);
+      const auto* first = reinterpret_cast<const T*>(mapped + offset);
+      return {first, first + count};
+    }
     std::vector<T> values(count);
     download(std::as_writable_bytes(std::span{values}), offset);
     return values;

@@ -37,7 +37,8 @@ FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int sample
       m_target(target) {
   const int w = static_cast<int>(width), h = static_cast<int>(height);
   m_frame.color = base::Image(w, h, 3);
-  m_frame.terms.assign(terms, base::Image(w, h, 3));
+  m_frame.terms.resize(terms);
+  base::parallelFor(terms, 1, [&](std::size_t t, std::size_t) { m_frame.terms[t] = base::Image(w, h, 3); });
 }
 
 void FrameBuilder::begin(const Tile& tile) {

@@ -133,7 +133,26 @@ void SwapBuilder::addToSums(const std::vector<std::uint32_t>& chain, std::uint32
   }
 }
 
+// There is nothing to add up.
+void SwapBuilder::keepOnlySample() {
+  for (std::uint32_t place = 0; place < m_head.size(); ++place)
+    for (std::uint32_t e = m_head[place]; e != kNone; e = m_entries[e].next) {
+      Material& material = m_materials[m_entries[e].material];
+      m_entries[e].place = static_cast<std::uint32_t>(material.pixels.size());
+      material.pixels.push_back(m_firstPixel + place);
+      material.whole.push_back(m_entries[e].whole ? 1 : 0);
+    }
+  for (Material& material : m_materials) material.colors.resize(material.pixels.size() * m_planes);
+  base::parallelFor(m_head.size(), kSwapGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t place = begin; place < end; ++place)
+      for (std::uint32_t e = m_head[place]; e != kNone; e = m_entries[e].next)
+        std::copy_n(&m_colors[e * m_planes], m_planes,
+                    &m_materials[m_entries[e].material].colors[m_entries[e].place * m_planes]);
+  });
+}
+
 void SwapBuilder::end() {
+  if (m_samples == 1) return keepOnlySample();
   std::vector<Sum> merged;
   std::vector<glm::dvec3> differences;
   std::vector<std::uint32_t> chain;
@@ -141,19 +160,9 @@ void SwapBuilder::end() {
   for (std::uint32_t place = 0; place < m_head.size(); ++place) {
     chain.clear();
     for (std::uint32_t e = m_head[place]; e != kNone; e = m_entries[e].next) chain.push_back(e);
-    if (m_samples == 1) { // there is nothing to add up
-      for (const std::uint32_t e : chain) {
-        Material& material = m_materials[m_entries[e].material];
-        material.pixels.push_back(m_firstPixel + place);
-        material.whole.push_back(m_entries[e].whole ? 1 : 0);
-        for (std::size_t p = 0; p < m_planes; ++p) material.colors.push_back(m_colors[e * m_planes + p]);
-      }
-      continue;
-    }
     std::ranges::sort(chain, {}, [&](std::uint32_t e) { return m_entries[e].material; });
     addToSums(chain, place, old, merged, differences);
   }
-  if (m_samples == 1) return;
   for (std::size_t i = old * m_planes; i < m_differences.size(); ++i) differences.push_back(m_differences[i]);
   merged.insert(merged.end(), m_sums.begin() + static_cast<std::ptrdiff_t>(old), m_sums.end());
   m_sums = std::move(merged);
@@ -194,18 +203,23 @@ std::vector<SwappedPixels> SwapBuilder::take(const std::vector<base::PixelList>&
     if (pixels.empty() || m_wanted[m] == 0) return;
     SwappedPixels& out = result[m];
     out.planes.assign(m_planes, base::makeGathered<float>(pixels.size(), 3));
-    std::size_t at = 0; // what opaque layers hide has an entry, but no place in the coverage
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
+    // What opaque layers hide has an entry, but no place in the coverage.
+    std::vector<std::uint32_t> places(pixels.size());
+    for (std::size_t i = 0, at = 0; i < pixels.size(); ++i) {
       while (material.pixels.at(at) < pixels[i]) ++at;
+      places[i] = static_cast<std::uint32_t>(at);
       if (material.whole[at] != 0) out.whole.push_back(static_cast<std::uint32_t>(i));
-      for (std::size_t p = 0; p < m_planes; ++p) {
-        float* color = &out.planes[p].pixels[3 * i];
-        if (material.whole[at] != 0 && !finished.empty())
-          std::copy_n(&finished[p]->pixels[3 * std::size_t{pixels[i]}], 3, color);
-        else
-          for (int c = 0; c < 3; ++c) color[c] = material.colors[at * m_planes + p][c];
-      }
     }
+    base::parallelFor(pixels.size(), kSwapGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = 0; p < m_planes; ++p)
+        for (std::size_t i = begin; i < end; ++i) {
+          float* color = &out.planes[p].pixels[3 * i];
+          if (material.whole[places[i]] != 0 && !finished.empty())
+            std::copy_n(&finished[p]->pixels[3 * std::size_t{pixels[i]}], 3, color);
+          else
+            for (int c = 0; c < 3; ++c) color[c] = material.colors[places[i] * m_planes + p][c];
+        }
+    });
   });
   return result;
 }

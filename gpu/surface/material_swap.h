@@ -65,7 +65,8 @@ private:
   // A material at a pixel of this sample; those of a pixel are a chain.
   struct Entry {
     std::uint32_t material = kNone, next = kNone;
-    bool whole = false; // nothing else is seen here: it is opaque, and no other material lies over it
+    bool whole = false;      // nothing else is seen here: it is opaque, and no other material lies over it
+    std::uint32_t place = 0; // where there is one sample: among the material's pixels
   };
   // Of a tile over its samples: ascending by pixel, then material; a pair once.
   struct Sum {
@@ -74,9 +75,10 @@ private:
   // A material's pictures at its pixels, so far.
   struct Material {
     std::vector<std::uint32_t> pixels;
-    std::vector<glm::vec3> colors; // of each pixel, plane by plane
-    std::vector<char> whole;       // of each pixel
+    base::RawVector<glm::vec3> colors; // of each pixel, plane by plane
+    std::vector<char> whole;           // of each pixel
   };
+  void keepOnlySample();
   void addToSums(const std::vector<std::uint32_t>& chain, std::uint32_t place, std::size_t& old,
                  std::vector<Sum>& merged, std::vector<glm::dvec3>& differences) const;
   void finishTile();
