@@ -30,11 +30,11 @@ public:
   // progress: of the truth, which alone takes long.
   ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
 
-  // Gives the frames of the view that was rendered last, by this camera, their terms, and these materials' the
-  // termVariants of the path at that place: from what render has kept, else by shading it once more. The colours stay
-  // as they are. For runs without settings.terms.
+  // Gives the frames of the view that was rendered last, by this camera, the termVariants of these materials and of the
+  // path at that place, and where `pictures` asks for them the terms of both paths: from what render has kept, else by
+  // shading it once more. The colours stay as they are. For runs without settings.terms.
   void addTerms(ViewFrames& frames, std::size_t path, const scenes::Camera& camera,
-                const std::vector<std::size_t>& materials);
+                const std::vector<std::size_t>& materials, bool pictures);
 
   // For runs that ask for what a path's dropped lights do (settings.droppedLights), where it may drop any: how many
   // samples the view that was rendered last shows of each instance. Else empty.

@@ -10,7 +10,7 @@
 namespace parity::job {
 
 void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes::Camera& camera,
-                             const std::vector<std::size_t>& materials) {
+                             const std::vector<std::size_t>& materials, bool pictures) {
   const Settings& settings = m_settings;
   assert(path > 0 && !settings.terms);
   PathState &first = m_paths.front(), &other = m_paths[path];
@@ -22,7 +22,8 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
     by.giveBackdrop(*by.withTerms);
     return by.withTerms->shade(surface, camera);
   };
-  gpu::FrameBuilder firstFrame = makeFrame(true), otherFrame = makeFrame(true);
+  std::vector<gpu::FrameBuilder> builders; // of both paths' terms
+  for (int i = 0; pictures && i < 2; ++i) builders.push_back(makeFrame(true));
   std::vector<char> wanted(m_prepared.scene.materials.size(), 0);
   for (const std::size_t material : materials) wanted[material] = 1;
   gpu::SwapBuilder variants(m_scene.buffers().materialOfInstance(), m_prepared.scene.materials.size(),
@@ -30,8 +31,7 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
                             std::vector<glm::vec3>(1 + m_scene.buffers().termCount(), settings.background),
                             std::nullopt, std::move(wanted));
   const auto compose = [&](const gpu::Surface& surface, const gpu::ShadedSurface& a, const gpu::ShadedSurface& b) {
-    firstFrame.lay(surface, a);
-    otherFrame.lay(surface, b);
+    for (std::size_t i = 0; i < builders.size(); ++i) builders[i].lay(surface, i == 0 ? a : b);
     variants.lay(surface, a, b, TermVariants(surface, a, b, variants).planes());
   };
   const auto lay = [&](const KeptLayer& layer) {
@@ -41,11 +41,17 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
     const gpu::ShadedSurface a = shadeAgain(first, layer.surface), b = shadeAgain(other, layer.surface);
     compose(layer.surface, a, b);
   };
-  layAgain(camera, m_again,
-           {[&](const gpu::Tile& tile) { firstFrame.begin(tile), otherFrame.begin(tile), variants.begin(tile); }, lay,
-            [&] { firstFrame.end(), otherFrame.end(), variants.end(); }});
-  frames.paths.front().frame.terms = firstFrame.take().terms;
-  frames.paths[path].frame.terms = otherFrame.take().terms;
+  const auto begin = [&](const gpu::Tile& tile) {
+    for (gpu::FrameBuilder& builder : builders) builder.begin(tile);
+    variants.begin(tile);
+  };
+  const auto end = [&] {
+    for (gpu::FrameBuilder& builder : builders) builder.end();
+    variants.end();
+  };
+  layAgain(camera, m_again, {begin, lay, end});
+  for (std::size_t i = 0; i < builders.size(); ++i)
+    frames.paths[i == 0 ? 0 : path].frame.terms = builders[i].take().terms;
   frames.paths[path].termVariants = variants.take(frames.coverage, {});
 }
 

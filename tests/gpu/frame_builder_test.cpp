@@ -39,6 +39,25 @@ TEST(FrameBuilder, ShowsTheBackgroundWhereNothingIsSeen) {
   EXPECT_EQ(builder.take().color.pixels, (std::vector<float>{0.1f, 0.2f, 0.3f, 5, 6, 7}));
 }
 
+// Two rows, a tile each. One sample is composed in the picture itself, two beside it.
+TEST(FrameBuilder, TilesAreRowsOfThePicture) {
+  for (const int samples : {1, 2}) {
+    FrameBuilder builder(2, 2, samples, 1, glm::vec3(0.5f));
+    for (std::uint32_t row = 0; row < 2; ++row)
+      for (int sample = 0; sample < samples; ++sample) {
+        Surface surface = makeSurface({2 * row + row}); // a pixel of each row
+        surface.height = 2;
+        const float value = static_cast<float>(1 + row);
+        builder.begin({row, 1});
+        builder.lay(surface, {{glm::vec4(value, value, value, 1)}, {{glm::vec4(10 * value)}}});
+        builder.end();
+      }
+    const base::Frame frame = builder.take();
+    EXPECT_EQ(frame.color.pixels, (std::vector<float>{1, 1, 1, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 2, 2, 2}));
+    EXPECT_EQ(frame.terms[0].pixels, (std::vector<float>{10, 10, 10, 0, 0, 0, 0, 0, 0, 20, 20, 20}));
+  }
+}
+
 TEST(FrameBuilder, AveragesSamplesInLinearLight) {
   FrameBuilder builder(2, 1, 2, 0, glm::vec3(0));
   add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(1, 1, 1, 1)}, {}}});

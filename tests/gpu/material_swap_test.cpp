@@ -240,6 +240,34 @@ TEST(MaterialSwap, OnlyWantedMaterialsAreSwapped) {
   EXPECT_TRUE(found.swaps[1].planes.empty());
 }
 
+// Two rows, a tile each; in the second a pane over the background alone, and a ball before another's.
+TEST(MaterialSwap, TilesFollowEachOther) {
+  for (const int samples : {1, 2}) {
+    SwapBuilder swap(kMaterialOf, 3, kWidth, samples, {glm::vec3(0.25f)});
+    for (std::uint32_t row = 0; row < 2; ++row)
+      for (int sample = 0; sample < samples; ++sample) {
+        const Layer below = row == 0 ? makeLayer({{1, 0, 0.1f, 0.2f}, {3, 1, 0.3f, 0.4f}})
+                                     : makeLayer({{4, 0, 0.5f, 0.6f}, {6, 1, 0.7f, 0.8f}});
+        const Layer above =
+            row == 0 ? makeLayer({}, true) : makeLayer({{5, 2, 1, 2, 0.5f}, {6, 2, 1, 2, 0.5f}}, true);
+        swap.begin({row, 1});
+        for (const Layer* layer : {&below, &above}) {
+          const SwapPlane plane{layer->reference.color, layer->test.color};
+          swap.lay(*layer->surface, layer->reference, layer->test, {&plane, 1});
+        }
+        swap.end();
+      }
+    const std::vector<base::PixelList> coverage = {{"a", {1, 4}, {}}, {"b", {3, 6}, {}}, {"c", {5, 6}, {}}};
+    const std::vector<SwappedPixels> found = swap.take(coverage, {});
+    const float wanted[3][2] = {{0.2f, 0.6f}, {0.4f, 0.5f * 0.8f + 0.5f}, {1 + 0.125f, 1 + 0.35f}};
+    for (std::size_t m = 0; m < 3; ++m)
+      for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_FLOAT_EQ(found[m].planes[0].pixels[3 * i], wanted[m][i]) << m << ' ' << i;
+    EXPECT_EQ(found[0].whole, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(found[1].whole, std::vector<std::uint32_t>{0}) << "the second is below the pane";
+  }
+}
+
 TEST(MaterialSwap, PlanesAreComposedSideBySide) {
   const Layer layer = makeLayer({{2, 0, 0.5f, 0.7f}});
   const std::vector<glm::vec4> black = {glm::vec4(0, 0, 0, 1)}, bright = {glm::vec4(9, 9, 9, 1)};

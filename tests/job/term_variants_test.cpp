@@ -35,10 +35,18 @@ gpu::Surface makeSurface(bool blended = false) {
   return surface;
 }
 
+// Swaps what is seen of material 1, or of all.
+struct Swap {
+  explicit Swap(std::vector<char> wanted = {})
+      : builder(materialOf, 2, 1, 1, std::vector<glm::vec3>(1 + kTermCount), std::nullopt, std::move(wanted)) {}
+  std::vector<std::uint32_t> materialOf = {0, 1};
+  gpu::SwapBuilder builder;
+};
+
 TEST(TermVariants, EachHasTheHighEndTermInPlaceOfItsOwn) {
   const gpu::Surface surface = makeSurface();
   const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f, 4}), mobile = makeShaded({0.125f, 0.25f, 2});
-  const TermVariants variants(surface, highend, mobile);
+  const TermVariants variants(surface, highend, mobile, Swap().builder);
   const std::vector<gpu::SwapPlane> planes = variants.planes();
   ASSERT_EQ(planes.size(), 1 + kTermCount);
   EXPECT_EQ(planes[0].test[0].x, 2.375f) << "mobile as it is";
@@ -51,15 +59,26 @@ TEST(TermVariants, EachHasTheHighEndTermInPlaceOfItsOwn) {
 TEST(TermVariants, HighEndTermsAreTimesTheOpacityWhereMobilesAre) {
   const gpu::Surface surface = makeSurface(true);
   const gpu::ShadedSurface highend = makeShaded({0.5f}, 0.25f), mobile = makeShaded({0.0625f, 0.125f}, 0.25f, true);
-  const TermVariants variants(surface, highend, mobile);
+  const TermVariants variants(surface, highend, mobile, Swap().builder);
   EXPECT_EQ(variants.planes()[1].test[0].x, 0.125f + 0.25f * 0.5f);
   EXPECT_EQ(variants.planes()[1].test[0].w, 0.25f);
+}
+
+TEST(TermVariants, AreMadeOfTheMaterialsThatAreSwapped) {
+  const Swap swap({0, 1});
+  gpu::Surface surface = makeSurface();
+  EXPECT_FALSE(swap.builder.swaps(surface, 0));
+  surface.instances = {1};
+  EXPECT_TRUE(swap.builder.swaps(surface, 0));
+  const gpu::ShadedSurface highend = makeShaded({0.5f}), mobile = makeShaded({0.125f});
+  const TermVariants variants(surface, highend, mobile, swap.builder);
+  EXPECT_EQ(variants.planes()[1].test[0].x, 0.5f);
 }
 
 TEST(TermVariants, ATermThatIsNaNIsFoundByItsExchange) {
   const gpu::Surface surface = makeSurface();
   const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f}), mobile = makeShaded({kNan, 0.75f});
-  const TermVariants variants(surface, highend, mobile);
+  const TermVariants variants(surface, highend, mobile, Swap().builder);
   EXPECT_EQ(variants.planes()[1].test[0].x, 0.5f + 0.75f) << "the sum of the others, and the high-end path's";
   EXPECT_TRUE(std::isnan(variants.planes()[2].test[0].x)) << "another term does not mend it";
 }
