@@ -72,7 +72,7 @@ struct Inputs {
   bool asksForShadows = false;                 // of all lights, as far as the path can
   const gpu::ShadowOptions& shadowMaps;
   bool terms = false;
-  std::size_t leftOut = 0;          // at most gpu::kMaxLeftOut; not 0: so many pictures in place of the terms (leaveOut)
+  std::size_t leftOut = 0; // at most gpu::kMaxLeftOut; not 0: so many pictures in place of the terms (leaveOut)
   std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: what to leave out, of a path that hidesLobes
   bool wide = false;                // one program for any of the path's options, where the path has such
   std::uint32_t intermediate = 0;   // place in Path::intermediates(); 0: the lit colour

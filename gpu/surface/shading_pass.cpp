@@ -272,7 +272,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
-  const std::size_t written = result.terms.empty() ? 0
+  const std::size_t written = result.terms.empty()   ? 0
                               : program.leftOut != 0 ? program.leftOut
                               : shadesLobes          ? program.planesOfLobes
                                                      : shading::kBaseTermCount;

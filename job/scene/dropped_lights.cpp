@@ -68,8 +68,8 @@ std::optional<report::DroppedLights> measureDroppedLights(Context& context, cons
          .kind = scenes::nameOf(lights[order[k]].kind),
          .keptBy = use.keptBy,
          .droppedBy = use.droppedBy.size(),
-         .materials =
-             named(swapEffects(context, materials, frames, compared.reference, pictures[k], settings.exposureEv), scene)});
+         .materials = named(
+             swapEffects(context, materials, frames, compared.reference, pictures[k], settings.exposureEv), scene)});
   }
   report::rankByEffect(dropped);
   return dropped;

@@ -65,11 +65,11 @@ public:
 private:
   struct PathState {
     const paths::Path* path = nullptr;
-    std::unique_ptr<paths::Renderer> plain;               // with terms where m_shadesTerms
-    std::unique_ptr<paths::Renderer> ofOriginals;         // where it has textures of its own, and the run compares
+    std::unique_ptr<paths::Renderer> plain;       // with terms where m_shadesTerms
+    std::unique_ptr<paths::Renderer> ofOriginals; // where it has textures of its own, and the run compares
     // Made when first needed. leavingOut: a picture without a light by the shaders of `plain`; inTurn: several at once.
     std::unique_ptr<paths::Renderer> withTerms, leavingOut, inTurn;
-    std::size_t leftOut = 0; // pictures of inTurn
+    std::size_t leftOut = 0;                                           // pictures of inTurn
     std::map<std::uint32_t, std::unique_ptr<paths::Renderer>> without; // the same, without some lobes
     std::optional<gpu::Backdrop> backdrop; // of the last view, where the path reads one; the path's renderers share it
 

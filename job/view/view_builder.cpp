@@ -91,7 +91,8 @@ void ViewBuilder::lay(const gpu::Surface& surface, const std::vector<ShadedByPat
     laySwap(builders.swap, first, shaded);
     laySwap(builders.swapLight, first, shaded);
     if (builders.termVariants)
-      builders.termVariants->lay(surface, first, shaded, TermVariants(surface, first, shaded, *builders.termVariants).planes());
+      builders.termVariants->lay(surface, first, shaded,
+                                 TermVariants(surface, first, shaded, *builders.termVariants).planes());
     if (!truth || builders.isWhatIf) continue;
     laySwap(builders.truthSwap, truth->shaded, shaded);
     if (!builders.truthTermSwap) continue;

@@ -248,8 +248,7 @@ TEST(MaterialSwap, TilesFollowEachOther) {
       for (int sample = 0; sample < samples; ++sample) {
         const Layer below = row == 0 ? makeLayer({{1, 0, 0.1f, 0.2f}, {3, 1, 0.3f, 0.4f}})
                                      : makeLayer({{4, 0, 0.5f, 0.6f}, {6, 1, 0.7f, 0.8f}});
-        const Layer above =
-            row == 0 ? makeLayer({}, true) : makeLayer({{5, 2, 1, 2, 0.5f}, {6, 2, 1, 2, 0.5f}}, true);
+        const Layer above = row == 0 ? makeLayer({}, true) : makeLayer({{5, 2, 1, 2, 0.5f}, {6, 2, 1, 2, 0.5f}}, true);
         swap.begin({row, 1});
         for (const Layer* layer : {&below, &above}) {
           const SwapPlane plane{layer->reference.color, layer->test.color};

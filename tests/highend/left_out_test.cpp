@@ -90,7 +90,8 @@ TEST_F(LeftOutTest, EachPictureLacksItsLightAndNothingElse) {
   }
   const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 0.3f);
   for (const bool withLobes : {false, true})
-    for (const std::size_t count : withLobes ? std::vector{24u} : std::vector{6u, 24u}) { // with and without lists of them
+    for (const std::size_t count :
+         withLobes ? std::vector{24u} : std::vector{6u, 24u}) { // with and without lists of them
       SCOPED_TRACE(std::to_string(count) + (withLobes ? " lights, lobes" : " lights"));
       const Balls balls(withLobes);
       const gpu::SceneBuffers buffers(device(), balls.scene);

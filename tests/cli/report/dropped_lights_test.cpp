@@ -93,8 +93,8 @@ protected:
     std::vector<std::string> files;
     for (const std::string& scene : {reference, test}) {
       files.push_back((m_folder / ("picture" + std::to_string(files.size()) + ".png")).string());
-      EXPECT_TRUE(exitedWith(
-          0, runParity(join({{"render", scene, "--path", "highend", "-o", files.back()}, size, kCloseUp}))));
+      EXPECT_TRUE(
+          exitedWith(0, runParity(join({{"render", scene, "--path", "highend", "-o", files.back()}, size, kCloseUp}))));
     }
     const RunResult result = runParity({"flip", files[0], files[1], "--json", "-"});
     const Json flip = Json::parse(result.out);
