@@ -26,8 +26,8 @@ struct Inputs {
   const gpu::BakedMaps* baked = nullptr;
   bool cullLights = true; // false: every pixel asks every light, with the same result
   bool terms = false;
-  std::size_t leftOut =
-      0; // pictures that lack a light each (leaveOut), in place of the terms; at most gpu::kMaxLeftOut
+  // Not 0: at most so many pictures that lack a light each (leaveOut), in place of the terms; up to gpu::kMaxLeftOut.
+  std::size_t leftOut = 0;
   std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: lobes that it leaves out
   std::uint32_t view = kViewLit;    // what the colour shows (highend/views.h)
   gpu::Compilation compilation = {};

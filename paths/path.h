@@ -112,8 +112,9 @@ public:
   virtual bool readsBackdrop() const { return false; } // of some material of the scene
   // "needs 9 samplers on mobile, of at most 8"; empty: the material needs no more than the path allows.
   virtual std::string describeExcess(const scenes::Material&) const { return {}; }
-  // Of a path that leavesOutLights: from now on the colour lacks the lights at these places of Inputs::light. Where
-  // Inputs::leftOut is set, picture k lacks the k-th of them instead: at most so many.
+  // Of a path that leavesOutLights: from now on the colour lacks the light at this place of Inputs::light (one or
+  // none). Where Inputs::leftOut is set: `terms` are as many pictures as these lights, at most so many, and each lacks
+  // its own.
   virtual void leaveOut(std::span<const std::size_t>) {}
   virtual RendererWork work() const = 0;
   virtual const gpu::ShadowMaps* shadowMaps() const { return nullptr; } // null: none

@@ -1,6 +1,7 @@
 // Buffers, with or without a view from the host.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -35,7 +36,7 @@ public:
     if (const std::byte* mapped = m_memory.mapped(); mapped && count > 0) { // not cleared first
       assert(offset + count * sizeof(T) <= m_size);
       const auto* first = reinterpret_cast<const T*>(mapped + offset);
-      return {first, first + count};
+      return std::vector<T>(first, first + count);
     }
     std::vector<T> values(count);
     download(std::as_writable_bytes(std::span{values}), offset);

@@ -112,7 +112,8 @@ PARITY_CONST uint kListed = 0xfffffffeu;
 PARITY_CONST uint kTermsInA =
     5u; // planes of the first term buffer; the others are in the second: a buffer ends at 128 MiB
 
-PARITY_CONST uint kMaxLeftOut = 8u; // pictures without a light each (highend/shaders/left_out.glsl), in planes of terms
+// Pictures without a light each (highend/shaders/left_out.glsl), in the planes of terms: at most as many as terms.
+PARITY_CONST uint kMaxLeftOut = 8u;
 
 // Planes of resolved materials (shaders/material.comp), in the first term buffer.
 PARITY_CONST uint kPlanePosition = 0u; // w: 1 where unlit

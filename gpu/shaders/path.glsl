@@ -360,7 +360,7 @@ void writeTerms(uint i, Terms terms) {
   for (uint k = kTermsInA; k < uint(kTermCount); ++k) outTermsB[(k - kTermsInA) * planeSize + i] = vec4(terms.t[k], 0.0);
 }
 
-// In their order.
+// The sum of the terms, added in their order.
 vec3 sumOf(Terms terms) {
   vec3 color = vec3(0.0);
   for (int k = 0; k < kTermCount; ++k) color += terms.t[k];
@@ -373,7 +373,7 @@ void writeResult(uint i, Terms terms, float opacity) {
   writeTerms(i, terms);
 }
 
-// In place of a term.
+// Writes a picture into the plane of a term.
 void writePicture(uint i, uint picture, Terms terms, float opacity) {
   vec4 color = vec4(sumOf(terms), opacity);
   if (picture < kTermsInA)

@@ -41,23 +41,22 @@ FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int sample
   base::parallelFor(terms, 1, [&](std::size_t t, std::size_t) { m_frame.terms[t] = base::Image(w, h, 3); });
 }
 
+float* FrameBuilder::planeAt(std::size_t plane) {
+  if (m_samples > 1) return m_sample[plane].data();
+  base::Image& image = plane == 0 ? m_frame.color : m_frame.terms[plane - 1];
+  return image.at(0, static_cast<int>(m_tile.firstRow));
+}
+
 void FrameBuilder::begin(const Tile& tile) {
   m_tile = tile;
   const std::size_t count = std::size_t{tile.rows} * static_cast<std::size_t>(m_frame.color.width);
-  m_planes.clear();
-  if (m_samples == 1) {
-    const std::size_t first = std::size_t{m_tile.firstRow} * static_cast<std::size_t>(m_frame.color.width) * 3;
-    m_planes.push_back(m_frame.color.pixels.data() + first);
-    for (base::Image& term : m_frame.terms) m_planes.push_back(term.pixels.data() + first);
-  } else {
+  if (m_samples > 1) {
     m_sample.resize(1 + m_frame.terms.size());
-    for (std::vector<float>& plane : m_sample) {
-      plane.assign(count * 3, 0.f);
-      m_planes.push_back(plane.data());
-    }
+    for (std::vector<float>& plane : m_sample) plane.assign(count * 3, 0.f);
   }
+  float* color = planeAt(0);
   for (std::size_t p = 0; p < count; ++p)
-    for (int c = 0; c < 3; ++c) m_planes[0][p * 3 + c] = m_background[c];
+    for (int c = 0; c < 3; ++c) color[p * 3 + c] = m_background[c];
 }
 
 void FrameBuilder::lay(const Surface& surface, const ShadedSurface& shaded) {
@@ -68,9 +67,9 @@ void FrameBuilder::lay(const Surface& surface, const ShadedSurface& shaded) {
     const float opacity = shaded.color[i].w;
     return std::pair(1 - opacity, shaded.premultiplied ? 1.f : opacity);
   };
-  composite(m_planes[0], firstPixel, surface, shaded.color, weightsOf, m_target ? &*m_target : nullptr);
+  composite(planeAt(0), firstPixel, surface, shaded.color, weightsOf, m_target ? &*m_target : nullptr);
   for (std::size_t t = 0; t < m_frame.terms.size(); ++t)
-    composite(m_planes[t + 1], firstPixel, surface, shaded.terms[t], weightsOf, nullptr);
+    composite(planeAt(t + 1), firstPixel, surface, shaded.terms[t], weightsOf, nullptr);
 }
 
 void FrameBuilder::end() {

@@ -27,14 +27,16 @@ public:
   base::Frame take();
 
 private:
+  // Where the tile's colour (0) or one of its terms begins.
+  float* planeAt(std::size_t plane);
+
   int m_samples;
   glm::vec3 m_background;
   std::optional<TargetCodec> m_target;
   base::Frame m_frame; // the sum over samples
   Tile m_tile;
-  // Of the tile: colour, then the terms. Of the frame's own pixels, where there is one sample.
+  // Of the tile: colour, then the terms. Empty where there is one sample, which is composed in the frame.
   std::vector<std::vector<float>> m_sample;
-  std::vector<float*> m_planes; // where they begin
 };
 
 } // namespace parity::gpu

@@ -58,9 +58,8 @@ void SwapBuilder::begin(const Tile& tile) {
   m_colors.clear();
   m_head.assign(pixels, kNone);
   m_base.resize(pixels * m_planes);
-  m_isBare.assign(pixels, 1);
-  if (m_samples == 1) return; // bare pixels stay so
-  std::ranges::fill(m_isBare, 0);
+  m_isBare.assign(pixels, m_samples == 1 ? 1 : 0);
+  if (m_samples == 1) return;
   for (std::size_t i = 0; i < pixels; ++i) std::ranges::copy(m_background, &m_base[i * m_planes]);
   if (m_samplesOfTile > 0) return;
   m_baseSums.assign(m_base.size(), glm::vec3(0.f));

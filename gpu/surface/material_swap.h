@@ -97,7 +97,7 @@ private:
   std::vector<Entry> m_entries;
   base::RawVector<glm::vec3> m_colors; // of the entries: their swapped pictures, plane by plane
   base::RawVector<glm::vec3> m_base;   // of the pixels: the base pictures, plane by plane
-  std::vector<char> m_isBare;          // of the pixels: nothing is seen there yet, and m_base is not set
+  std::vector<char> m_isBare;          // of the pixels, where there is one sample: m_base is not set yet
   // Of the tile, where there are several samples: sums over them.
   std::vector<glm::vec3> m_baseSums; // as FrameBuilder adds them up
   std::vector<glm::dvec3> m_exactSums;

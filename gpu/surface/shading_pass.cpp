@@ -129,6 +129,7 @@ struct ShadingPass::Impl {
   std::shared_ptr<PermutationPlan> plan;
   std::vector<CompiledPermutation> compiled;
   std::vector<vk::Pipeline> pipelines; // of those, in the store
+  std::size_t pictures = 0;            // that lack a light now, of program.leftOut
   PipelineStore ownStore;
   PipelineStore& store;
 
@@ -265,20 +266,21 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   result.premultiplied = program.premultiplied;
   const std::size_t n = surface.size();
   if (program.terms) result.terms.resize(shadesLobes ? program.planesOfLobes : scene.termCount());
-  if (program.leftOut != 0) result.terms.resize(program.leftOut);
+  if (program.leftOut != 0) result.terms.resize(pictures);
   if (n == 0) return result;
 
   GpuView gpuView = makeView(scene.scene(), camera, surface.width, surface.height);
   std::copy(program.numbers.begin(), program.numbers.end(), gpuView.path);
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
-  const std::size_t written = result.terms.empty()   ? 0
-                              : program.leftOut != 0 ? program.leftOut
-                              : shadesLobes          ? program.planesOfLobes
-                                                     : shading::kBaseTermCount;
+  const std::size_t written = program.leftOut != 0 ? program.leftOut
+                              : !program.terms     ? 0
+                              : shadesLobes        ? program.planesOfLobes
+                                                   : shading::kBaseTermCount;
   const std::size_t inA = std::min<std::size_t>(written, kTermsInA);
   const vk::DeviceSize plane = n * sizeof(glm::vec4);
-  const Buffer color(device, plane), termsA(device, inA * plane), termsB(device, (written - inA) * plane);
+  const Buffer color(device, program.leftOut == 0 ? plane : 0), termsA(device, inA * plane),
+      termsB(device, (written - inA) * plane);
   const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
   const std::vector<Binding> bindings =
       surfaceBindings(surface, program.listLights ? lists : pathData, color, termsA, termsB);
@@ -334,13 +336,14 @@ void ShadingPass::compile(const Surface& surface, const scenes::Camera& camera) 
 }
 void ShadingPass::leaveOut(std::span<const std::size_t> lights) {
   std::vector<GpuLight> changed = m_impl->program.lights;
-  const bool inTurn = m_impl->program.leftOut != 0;
-  assert(!inTurn || lights.size() <= m_impl->program.leftOut);
+  const bool atOnce = m_impl->program.leftOut != 0;
+  assert(lights.size() <= std::max<std::size_t>(m_impl->program.leftOut, 1));
   for (std::size_t k = 0; k < lights.size(); ++k)
-    if (GpuLight& light = changed.at(lights[k]); inTurn)
+    if (GpuLight& light = changed.at(lights[k]); atOnce)
       light.falloff.z = static_cast<float>(k + 1);
     else
       light.colorRange = vec4(0, 0, 0, light.colorRange.w);
+  m_impl->pictures = atOnce ? lights.size() : 0;
   m_impl->lights.upload(std::as_bytes(std::span{changed}));
 }
 void ShadingPass::setBackdrop(const Backdrop* backdrop) { m_impl->backdrop = backdrop; }

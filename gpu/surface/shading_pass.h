@@ -101,8 +101,8 @@ public:
   // Has the driver compile what shade() would run, and runs nothing.
   void compile(const Surface& surface, const scenes::Camera& camera) const;
 
-  // From now on the colour lacks these lights of the program's list; no shader is compiled. Where PathProgram::leftOut
-  // is set, picture k lacks the k-th of them instead, and others lack none: at most so many.
+  // From now on the colour lacks this light of the program's list (one or none); no shader is compiled. Where
+  // PathProgram::leftOut is set: `terms` are as many pictures as these lights, at most so many, and each lacks its own.
   void leaveOut(std::span<const std::size_t> lights);
 
   // From now on what lies behind surfaces that light passes through (binding 29); null: nothing. It must outlive the

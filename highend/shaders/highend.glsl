@@ -257,8 +257,11 @@ void main() {
   if (hasFeature(kFeatureUnlit, p.material)) {
     terms.t[kTermEmissive] = m.baseColor;
     terms = inFog(terms, p);
-    for (uint k = 0u; k < kLeftOut; ++k) writePicture(i, k, terms, m.opacity);
-    if (kLeftOut == 0u) writeResult(i, terms, m.opacity);
+    if (kLeftOut != 0u) {
+      for (uint k = 0u; k < kLeftOut; ++k) writePicture(i, k, terms, m.opacity);
+      return;
+    }
+    writeResult(i, terms, m.opacity);
     if (kView != kViewLit) outColor[i] = vec4(0.0, 0.0, 0.0, m.opacity);
     return;
   }
@@ -268,7 +271,7 @@ void main() {
   Layers layers = makeLayers(s, m);
   Through through = makeThrough(s, m);
 #endif
-  beginLeftOut();
+  if (kLeftOut != 0u) beginLeftOut();
   for (uint k = 0u; k < directionalCount(); ++k) {
     vec3 L = -lights[k].directionCosOuter.xyz, illuminance = lights[k].colorRange.xyz;
 #ifdef PARITY_LOBES
@@ -343,14 +346,16 @@ void main() {
     addThroughEnvironment(terms, through, m, s, p, sky, irradianceOverPi);
   }
 #endif
-  for (uint k = 0u; k < kLeftOut; ++k) {
-    Terms each = withLightsBut(k, terms);
+  if (kLeftOut != 0u) {
+    for (uint k = 0u; k < kLeftOut; ++k) {
+      Terms each = withLightsBut(k, terms);
 #ifdef PARITY_LOBES
-    layOver(each, layers);
+      layOver(each, layers);
 #endif
-    writePicture(i, k, inFog(each, p), m.opacity);
+      writePicture(i, k, inFog(each, p), m.opacity);
+    }
+    return;
   }
-  if (kLeftOut != 0u) return;
 #ifdef PARITY_LOBES
   layOver(terms, layers);
 #endif

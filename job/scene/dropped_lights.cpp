@@ -57,20 +57,19 @@ std::optional<report::DroppedLights> measureDroppedLights(Context& context, cons
   // Their places among the first path's: the other has the same but for a sun of the environment, which it keeps.
   for ([[maybe_unused]] const std::size_t i : order)
     assert(i < prepared.lights.size() && prepared.lights[i].name == lights[i].name);
-  const std::vector<base::Image> pictures = renderer.renderWithout(order, camera);
-  const base::Stopwatch watch(&context.timings(), "dropped lights");
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const paths::LightUse& use = uses[order[k]];
+  renderer.renderWithout(order, camera, [&](std::size_t place, const base::Image& color) {
+    const base::Stopwatch watch(&context.timings(), "dropped lights");
+    const std::size_t i = order[place];
     std::set<std::size_t> materials;
-    for (const std::uint32_t instance : use.droppedBy) materials.insert(materialOf(scene, instance));
+    for (const std::uint32_t instance : uses[i].droppedBy) materials.insert(materialOf(scene, instance));
     dropped.measured.push_back(
-        {.name = names[order[k]],
-         .kind = scenes::nameOf(lights[order[k]].kind),
-         .keptBy = use.keptBy,
-         .droppedBy = use.droppedBy.size(),
-         .materials = named(
-             swapEffects(context, materials, frames, compared.reference, pictures[k], settings.exposureEv), scene)});
-  }
+        {.name = names[i],
+         .kind = scenes::nameOf(lights[i].kind),
+         .keptBy = uses[i].keptBy,
+         .droppedBy = uses[i].droppedBy.size(),
+         .materials =
+             named(swapEffects(context, materials, frames, compared.reference, color, settings.exposureEv), scene)});
+  });
   report::rankByEffect(dropped);
   return dropped;
 }

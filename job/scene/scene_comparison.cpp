@@ -253,7 +253,7 @@ private:
         if (isLate) {
           std::vector<std::size_t> materials;
           for (const std::size_t i : attributed[row]) materials.push_back(compared.materials[i]);
-          renderer.addTerms(frames, view.test, camera, materials, wish.pictures && wish.pixelData);
+          renderer.addTerms(frames, view.test, camera, materials);
         }
         attributeView(m_context, frames, attributed[row], request.settings, *paths.chosen[view.test], compared);
         if (isLate && wish.pictures && wish.pixelData) {

@@ -30,18 +30,20 @@ public:
   // progress: of the truth, which alone takes long.
   ViewFrames render(const scenes::Camera& camera, const Progress& progress = {});
 
-  // Gives the frames of the view that was rendered last, by this camera, the termVariants of these materials and of the
-  // path at that place, and where `pictures` asks for them the terms of both paths: from what render has kept, else by
-  // shading it once more. The colours stay as they are. For runs without settings.terms.
+  // Gives the frames of the view that was rendered last, by this camera, their terms, and these materials' the
+  // termVariants of the path at that place: from what render has kept, else by shading it once more. The colours stay
+  // as they are. For runs without settings.terms.
   void addTerms(ViewFrames& frames, std::size_t path, const scenes::Camera& camera,
-                const std::vector<std::size_t>& materials, bool pictures);
+                const std::vector<std::size_t>& materials);
 
   // For runs that ask for what a path's dropped lights do (settings.droppedLights), where it may drop any: how many
   // samples the view that was rendered last shows of each instance. Else empty.
   const std::vector<std::uint64_t>& seenSamples() const { return m_seenSamples; }
-  // That view again, by the first path, without each of these lights of the prepared scene: the pictures' colours. Only
-  // where there are seenSamples.
-  std::vector<base::Image> renderWithout(std::span<const std::size_t> lights, const scenes::Camera& camera);
+  // That view again, by the first path, without each of these lights of the prepared scene. Gives `take` the place
+  // among them and the picture's colour, in their order; few pictures are there at the same time. Only where there are
+  // seenSamples.
+  void renderWithout(std::span<const std::size_t> lights, const scenes::Camera& camera,
+                     const std::function<void(std::size_t, const base::Image&)>& take);
 
   // That view again, by the first path without these lobes (of gpu::kFeatureLobes). Only where it
   // hidesLobes.
@@ -67,9 +69,9 @@ private:
     const paths::Path* path = nullptr;
     std::unique_ptr<paths::Renderer> plain;       // with terms where m_shadesTerms
     std::unique_ptr<paths::Renderer> ofOriginals; // where it has textures of its own, and the run compares
-    // Made when first needed. leavingOut: a picture without a light by the shaders of `plain`; inTurn: several at once.
-    std::unique_ptr<paths::Renderer> withTerms, leavingOut, inTurn;
-    std::size_t leftOut = 0;                                           // pictures of inTurn
+    // Made when first needed. withoutOne: a light less, by the shaders of `plain`; withoutSome: several pictures at
+    // once, each without a light, by shaders of its own.
+    std::unique_ptr<paths::Renderer> withTerms, withoutOne, withoutSome;
     std::map<std::uint32_t, std::unique_ptr<paths::Renderer>> without; // the same, without some lobes
     std::optional<gpu::Backdrop> backdrop; // of the last view, where the path reads one; the path's renderers share it
 
@@ -108,8 +110,8 @@ private:
   };
   // Composes the surfaces of the view that was rendered last: those that were kept, else rasterised again.
   void layAgain(const scenes::Camera& camera, Work& work, const Composition& composition);
-  // Whether shading each light once for all pictures saves more than compiling the shaders for it takes.
-  bool paysInTurn(std::size_t lights) const;
+  // Whether shading so many lights once for all pictures saves more than compiling the shaders for it takes.
+  bool paysAtOnce(std::size_t lights) const;
   gpu::FrameBuilder makeFrame(bool terms) const;
   void countSurface(const gpu::Surface& surface, Work& work) const;
 

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
+#include <set>
 
 #include "job/view/term_variants.h"
 
 namespace parity::job {
 
 void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes::Camera& camera,
-                             const std::vector<std::size_t>& materials, bool pictures) {
+                             const std::vector<std::size_t>& materials) {
   const Settings& settings = m_settings;
   assert(path > 0 && !settings.terms);
   PathState &first = m_paths.front(), &other = m_paths[path];
@@ -22,8 +22,7 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
     by.giveBackdrop(*by.withTerms);
     return by.withTerms->shade(surface, camera);
   };
-  std::vector<gpu::FrameBuilder> builders; // of both paths' terms
-  for (int i = 0; pictures && i < 2; ++i) builders.push_back(makeFrame(true));
+  gpu::FrameBuilder firstFrame = makeFrame(true), otherFrame = makeFrame(true);
   std::vector<char> wanted(m_prepared.scene.materials.size(), 0);
   for (const std::size_t material : materials) wanted[material] = 1;
   gpu::SwapBuilder variants(m_scene.buffers().materialOfInstance(), m_prepared.scene.materials.size(),
@@ -31,7 +30,8 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
                             std::vector<glm::vec3>(1 + m_scene.buffers().termCount(), settings.background),
                             std::nullopt, std::move(wanted));
   const auto compose = [&](const gpu::Surface& surface, const gpu::ShadedSurface& a, const gpu::ShadedSurface& b) {
-    for (std::size_t i = 0; i < builders.size(); ++i) builders[i].lay(surface, i == 0 ? a : b);
+    firstFrame.lay(surface, a);
+    otherFrame.lay(surface, b);
     variants.lay(surface, a, b, TermVariants(surface, a, b, variants).planes());
   };
   const auto lay = [&](const KeptLayer& layer) {
@@ -41,61 +41,62 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
     const gpu::ShadedSurface a = shadeAgain(first, layer.surface), b = shadeAgain(other, layer.surface);
     compose(layer.surface, a, b);
   };
-  const auto begin = [&](const gpu::Tile& tile) {
-    for (gpu::FrameBuilder& builder : builders) builder.begin(tile);
-    variants.begin(tile);
-  };
-  const auto end = [&] {
-    for (gpu::FrameBuilder& builder : builders) builder.end();
-    variants.end();
-  };
-  layAgain(camera, m_again, {begin, lay, end});
-  for (std::size_t i = 0; i < builders.size(); ++i)
-    frames.paths[i == 0 ? 0 : path].frame.terms = builders[i].take().terms;
+  layAgain(camera, m_again,
+           {[&](const gpu::Tile& tile) { firstFrame.begin(tile), otherFrame.begin(tile), variants.begin(tile); }, lay,
+            [&] { firstFrame.end(), otherFrame.end(), variants.end(); }});
+  frames.paths.front().frame.terms = firstFrame.take().terms;
+  frames.paths[path].frame.terms = otherFrame.take().terms;
   frames.paths[path].termVariants = variants.take(frames.coverage, {});
 }
 
-bool SceneRenderer::paysInTurn(std::size_t lights) const {
-  const std::uint64_t samples = std::accumulate(m_seenSamples.begin(), m_seenSamples.end(), std::uint64_t{0});
-  const std::size_t shaders = m_paths.front().plain->pass().compiled().size();
+// By this view alone: what it reports depends on no other.
+bool SceneRenderer::paysAtOnce(std::size_t lights) const {
+  if (m_context.deviceReport().kind != "cpu") return false; // shading takes less than compiling
+  std::uint64_t samples = 0;
+  std::set<gpu::MaterialClass> classes;
+  for (std::size_t i = 0; i < m_seenSamples.size(); ++i) {
+    if (m_seenSamples[i] == 0) continue;
+    samples += m_seenSamples[i];
+    const std::size_t mesh = m_prepared.scene.instances[i].mesh;
+    classes.insert(m_scene.buffers().classOfMaterial()[m_prepared.scene.meshes[mesh].material]);
+  }
+  const std::size_t shaders = std::min(classes.size(), gpu::kMaxPermutations);
   return static_cast<double>(samples * (lights - 1)) * gpu::kShadingNsPerSample >
          static_cast<double>(shaders) * gpu::kPermutationCostMs * 1e6;
 }
 
-std::vector<base::Image> SceneRenderer::renderWithout(std::span<const std::size_t> lights,
-                                                      const scenes::Camera& camera) {
+void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const scenes::Camera& camera,
+                                  const std::function<void(std::size_t, const base::Image&)>& take) {
   assert(m_mayDropLights && !lights.empty());
   PathState& first = m_paths.front();
-  const std::shared_ptr<gpu::PermutationPlan> plan = first.plain->pass().plan();
-  if (!first.inTurn && paysInTurn(lights.size())) {
-    first.leftOut = std::min<std::size_t>(lights.size(), gpu::kMaxLeftOut);
-    first.inTurn = makeRenderer(*first.path, {.leftOut = first.leftOut, .plan = plan}, m_views);
-  }
-  if (!first.inTurn && !first.leavingOut)
-    first.leavingOut = makeRenderer(*first.path, {.terms = m_shadesTerms, .plan = plan}, m_views);
-  paths::Renderer& renderer = first.inTurn ? *first.inTurn : *first.leavingOut;
-  first.giveBackdrop(renderer);
-  std::vector<base::Image> pictures;
-  for (std::size_t begin = 0; begin < lights.size();) {
-    const std::size_t count = first.inTurn ? std::min(first.leftOut, lights.size() - begin) : 1;
-    renderer.leaveOut(lights.subspan(begin, count));
-    begin += count;
-    std::vector<gpu::FrameBuilder> frames(count, makeFrame(false));
+  const bool atOnce = paysAtOnce(lights.size());
+  std::unique_ptr<paths::Renderer>& renderer = atOnce ? first.withoutSome : first.withoutOne;
+  const std::size_t most =
+      atOnce ? std::min<std::size_t>(static_cast<std::size_t>(m_settings.droppedLights), gpu::kMaxLeftOut) : 1;
+  if (!renderer)
+    renderer = makeRenderer(
+        *first.path,
+        {.terms = m_shadesTerms && !atOnce, .leftOut = atOnce ? most : 0, .plan = first.plain->pass().plan()}, m_views);
+  first.giveBackdrop(*renderer);
+  for (std::size_t begin = 0; begin < lights.size(); begin += most) {
+    const std::size_t count = std::min(most, lights.size() - begin);
+    renderer->leaveOut(lights.subspan(begin, count));
+    std::vector<gpu::FrameBuilder> frames;
+    for (std::size_t k = 0; k < count; ++k) frames.push_back(makeFrame(false));
     const auto lay = [&](const KeptLayer& layer) {
       const base::Stopwatch watch(&m_context.timings(), "shade without a light");
-      gpu::ShadedSurface shaded = renderer.shade(layer.surface, camera);
+      gpu::ShadedSurface shaded = renderer->shade(layer.surface, camera);
       for (std::size_t k = 0; k < count; ++k) {
-        if (first.inTurn) shaded.color = std::move(shaded.terms[k]);
+        if (atOnce) shaded.color = std::move(shaded.terms[k]);
         frames[k].lay(layer.surface, shaded);
       }
     };
     layAgain(camera, m_work,
              {[&](const gpu::Tile& tile) { std::ranges::for_each(frames, [&](auto& frame) { frame.begin(tile); }); },
               lay, [&] { std::ranges::for_each(frames, [](auto& frame) { frame.end(); }); }});
-    for (gpu::FrameBuilder& frame : frames) pictures.push_back(frame.take().color);
     m_work.lightPictures += count;
+    for (std::size_t k = 0; k < count; ++k) take(begin + k, frames[k].take().color);
   }
-  return pictures;
 }
 
 base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scenes::Camera& camera) {

@@ -204,12 +204,17 @@ TEST_F(DroppedLightsTest, ManyLightsAreMeasuredAtOnceWithTheSameFigures) {
   for (const Json& light : lights) effects[light["name"]] = light["materials"][0]["flip"];
   const Json alone = dropped(one)["measured"][0];
   EXPECT_NEAR(effects.at(alone["name"]), alone["materials"][0]["flip"].get<double>(), 1e-7) << alone;
-  // The last two, by the commands that know nothing of dropped lights.
-  for (const std::size_t i : {12u, 13u}) {
+  // The last one of the first eight and the two after it, by the commands that know nothing of dropped lights.
+  for (const std::size_t i : {11u, 12u, 13u}) {
     const double truth = flipOfRenders(all, writeLights(candela, false, {i}), large);
     EXPECT_GT(truth, 1e-4);
     EXPECT_NEAR(effects.at("lamp (" + std::to_string(i + 1) + ")"), truth, 1e-6) << i;
   }
+  // Surfaces of several samples are made again: once for all eight pictures.
+  const Json sampled = diff(all, join({kCloseUp, {"--samples", "2"}}), large);
+  EXPECT_EQ(countOf(sampled, "surface"), 4 * countOf(many, "surface"));
+  for (const Json& light : dropped(sampled)["measured"])
+    EXPECT_NEAR(light["materials"][0]["flip"].get<double>(), effects.at(light["name"]), 0.01) << light;
 }
 
 TEST_F(DroppedLightsTest, NothingIsDoneWhereMobileHasAllLights) {
