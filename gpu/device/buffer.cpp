@@ -54,11 +54,16 @@ void Buffer::upload(std::span<const std::byte> bytes, vk::DeviceSize offset) con
   });
 }
 
+const std::byte* Buffer::mappedAt(vk::DeviceSize offset, [[maybe_unused]] vk::DeviceSize size) const {
+  assert(offset + size <= m_size);
+  const std::byte* mapped = m_memory.mapped();
+  return mapped ? mapped + offset : nullptr;
+}
+
 void Buffer::download(std::span<std::byte> bytes, vk::DeviceSize offset) const {
-  assert(offset + bytes.size() <= m_size);
   if (bytes.empty()) return;
-  if (const std::byte* mapped = m_memory.mapped()) {
-    std::memcpy(bytes.data(), mapped + offset, bytes.size());
+  if (const std::byte* mapped = mappedAt(offset, bytes.size())) {
+    std::memcpy(bytes.data(), mapped, bytes.size());
     return;
   }
   std::optional<HostBuffer> temporary;

@@ -1,7 +1,6 @@
 // Buffers, with or without a view from the host.
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -33,9 +32,8 @@ public:
   void upload(std::span<const std::byte> bytes, vk::DeviceSize offset = 0) const;
   void download(std::span<std::byte> bytes, vk::DeviceSize offset = 0) const;
   template <typename T> std::vector<T> downloadAs(std::size_t count, vk::DeviceSize offset = 0) const {
-    if (const std::byte* mapped = m_memory.mapped(); mapped && count > 0) { // not cleared first
-      assert(offset + count * sizeof(T) <= m_size);
-      const auto* first = reinterpret_cast<const T*>(mapped + offset);
+    if (const std::byte* mapped = mappedAt(offset, count * sizeof(T)); mapped && count > 0) { // not cleared first
+      const auto* first = reinterpret_cast<const T*>(mapped);
       return std::vector<T>(first, first + count);
     }
     std::vector<T> values(count);
@@ -44,6 +42,9 @@ public:
   }
 
 private:
+  // Null where the memory is not mapped.
+  const std::byte* mappedAt(vk::DeviceSize offset, vk::DeviceSize size) const;
+
   const Device* m_device = nullptr;
   vk::DeviceSize m_size = 0;
   Memory m_memory;
