@@ -124,7 +124,8 @@ glm::vec3 TargetCodec::read(const glm::vec3& stored) const {
   glm::vec3 light = stored;
   if (m_target == OutputTarget::rgba8Gamma2) // the screen takes the codes for sRGB
     for (int c = 0; c < 3; ++c)
-      light[c] = srgbCodes().light[static_cast<std::size_t>(std::lround(std::clamp(stored[c], 0.f, 1.f) * 255))];
+      if (std::isfinite(stored[c])) // others have no code
+        light[c] = srgbCodes().light[static_cast<std::size_t>(std::lround(std::clamp(stored[c], 0.f, 1.f) * 255))];
   return keepNonFinite(stored, light / m_gain);
 }
 
