@@ -30,7 +30,8 @@ struct ClassPixels {
 inline constexpr std::size_t kMaxPermutations = 8;          // a path and run
 inline constexpr double kPermutationCostMs = 500;           // compiling one more
 inline constexpr double kPermutationSavingNsPerPixel = 150; // exact against wide
-inline constexpr double kShadingNsPerSample = 1000;         // by the high-end path, on two cores
+// The high-end path under many lights (builtin:lamps, builtin:lights), on two cores of lavapipe.
+inline constexpr double kShadingNsPerSample = 1000;
 
 // What of its run's permutations a scene may have.
 struct PermutationBudget {

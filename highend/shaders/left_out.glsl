@@ -2,7 +2,7 @@
 
 layout(constant_id = 20) const uint kLeftOut = 0u; // how many; at most kMaxLeftOut
 
-Terms withoutLight[kMaxLeftOut]; // what all lights but one give
+Terms withoutLight[kMaxLeftOut]; // of each picture: the sum over all lights but one
 
 void beginLeftOut() {
   for (uint k = 0u; k < kLeftOut; ++k) withoutLight[k] = noTerms();
@@ -11,7 +11,7 @@ void beginLeftOut() {
 // Terms that lights add to.
 bool isOfLights(int term) { return term <= kTermLocalSpecular || term > kTermFog; }
 
-// added: what this light gives. All pictures but its own take it; then it is nothing again.
+// Adds what this light gives to all pictures but its own, and clears `added` for the next light.
 void shareOut(inout Terms added, GpuLight light) {
   uint own = uint(light.falloff.z); // 1 + its picture; 0: none
   for (uint k = 0u; k < kLeftOut; ++k)
@@ -20,7 +20,7 @@ void shareOut(inout Terms added, GpuLight light) {
   added = noTerms();
 }
 
-// rest: the light of everything but lights.
+// rest: the terms without any light source: sky, lightmap, emission.
 Terms withLightsBut(uint picture, Terms rest) {
   for (int t = 0; t < kTermCount; ++t)
     if (isOfLights(t)) rest.t[t] += withoutLight[picture].t[t];
