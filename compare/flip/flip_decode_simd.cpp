@@ -15,8 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace parity::compare::HWY_NAMESPACE {
 
-constexpr int kChunk = 64; // pixels; a multiple of every vector
-
 using D = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 
@@ -82,7 +80,7 @@ HWY_INLINE void storeOpponent(D d, const Rgb& c, int at, const ColorPlanes& out)
 }
 
 template <Decoding kDecoding, int kChannels> HWY_INLINE void
-decodeFloatChunk(const RowDecoder& decoder, const float* pixels, int count, int at, const ColorPlanes& out) {
+decodeFloats(const RowDecoder& decoder, const float* pixels, int count, int at, const ColorPlanes& out) {
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   for (int i = 0; i < count; i += lanes) {
@@ -96,15 +94,27 @@ decodeFloatChunk(const RowDecoder& decoder, const float* pixels, int count, int 
   }
 }
 
+// Decodes a row by decodeVectors(pixels, count, at): whole vectors of `count` pixels from `pixels` on, to column `at`.
+// Vectors must not read beyond the row. Its last one ends with it, over pixels that are decoded already; a row that is
+// shorter than a vector is copied first.
+template <int kChannels, class T, class F> HWY_INLINE void forRow(const T* pixels, int count, F decodeVectors) {
+  constexpr int kMaxLanes = static_cast<int>(hn::MaxLanes(D()));
+  const int lanes = static_cast<int>(hn::Lanes(D())), whole = count / lanes * lanes;
+  if (whole > 0) {
+    decodeVectors(pixels, whole, 0);
+    if (whole < count) decodeVectors(pixels + (count - lanes) * kChannels, lanes, count - lanes);
+  } else {
+    alignas(64) T copy[kMaxLanes * kChannels] = {};
+    std::memcpy(copy, pixels, static_cast<std::size_t>(count * kChannels) * sizeof(T));
+    decodeVectors(copy, lanes, 0);
+  }
+}
+
 template <Decoding kDecoding, int kChannels>
 void decodeFloatRow(const RowDecoder& decoder, const float* pixels, int count, const ColorPlanes& out) {
-  const int whole = count / kChunk * kChunk;
-  decodeFloatChunk<kDecoding, kChannels>(decoder, pixels, whole, 0, out);
-  if (whole == count) return;
-  // The rest by a copy: vectors must not read beyond the row.
-  alignas(64) float rest[kChunk * kChannels] = {};
-  std::memcpy(rest, pixels + whole * kChannels, static_cast<std::size_t>((count - whole) * kChannels) * sizeof(float));
-  decodeFloatChunk<kDecoding, kChannels>(decoder, rest, count - whole, whole, out);
+  forRow<kChannels>(pixels, count, [&](const float* from, int size, int at) HWY_ATTR {
+    decodeFloats<kDecoding, kChannels>(decoder, from, size, at, out);
+  });
 }
 
 template <int kChannels>
@@ -129,7 +139,7 @@ void DecodeFloats(const RowDecoder& decoder, const float* pixels, int channels, 
 }
 
 template <int kChannels>
-HWY_INLINE void decodeByteChunk(const std::uint8_t* pixels, int count, int at, const ColorPlanes& out) {
+HWY_INLINE void decodeBytes(const std::uint8_t* pixels, int count, int at, const ColorPlanes& out) {
   const D d;
   const hn::Rebind<std::uint8_t, D> d8;
   const hn::RebindToSigned<D> di;
@@ -149,12 +159,9 @@ HWY_INLINE void decodeByteChunk(const std::uint8_t* pixels, int count, int at, c
 }
 
 template <int kChannels> void decodeByteRow(const std::uint8_t* pixels, int count, const ColorPlanes& out) {
-  const int whole = count / kChunk * kChunk;
-  decodeByteChunk<kChannels>(pixels, whole, 0, out);
-  if (whole == count) return;
-  alignas(64) std::uint8_t rest[kChunk * kChannels] = {};
-  std::memcpy(rest, pixels + whole * kChannels, static_cast<std::size_t>((count - whole) * kChannels));
-  decodeByteChunk<kChannels>(rest, count - whole, whole, out);
+  forRow<kChannels>(pixels, count, [&](const std::uint8_t* from, int size, int at) HWY_ATTR {
+    decodeBytes<kChannels>(from, size, at, out);
+  });
 }
 
 void DecodeBytes(const std::uint8_t* pixels, int channels, int count, const ColorPlanes& out) {

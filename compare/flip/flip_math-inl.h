@@ -53,11 +53,14 @@ template <class D, class T> HWY_INLINE T fastReciprocal(D d, const T& x) {
 template <class D, class T> HWY_INLINE T fastCbrt(D d, const T& x) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
-  // 0x54a2fa8c less a third of the bits. A float holds the bits to 2^-24: far below the 3.5 %.
+  // 0x54a2fa8c less a third of the bits. A float holds the bits to 2^-24: far below the 3.5 %. The result lies within
+  // 2^25 of 2^30, where floats are multiples of 64. A 64th of it, less 2^24, is the last bits of 1.5 * 2^23 and that.
   T y = each(
       [d, di](V v) HWY_ATTR {
         const V bits = hn::ConvertTo(d, hn::BitCast(di, v));
-        return hn::BitCast(d, hn::ConvertTo(di, hn::MulAdd(bits, hn::Set(d, -1.f / 3.f), hn::Set(d, 1419966092.f))));
+        const V third = hn::MulAdd(bits, hn::Set(d, -1.f / 3.f), hn::Set(d, 1419966092.f));
+        const V small = hn::MulAdd(third, hn::Set(d, 1.f / 64), hn::Set(d, 12582912.f - 16777216.f));
+        return hn::BitCast(d, hn::Add(hn::ShiftLeft<6>(hn::BitCast(di, small)), hn::Set(di, 0x70000000)));
       },
       x);
   const auto refine = [&](const T& root) HWY_ATTR {
@@ -99,8 +102,10 @@ template <class D, class T> HWY_INLINE T fastLog2(D d, const T& x) {
 template <class D, class T> HWY_INLINE T fastExp2(D d, const T& x) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
-  const auto whole = each([](V v) HWY_ATTR { return hn::NearestInt(v); }, x);
-  const T f = each([d](V v, auto n) HWY_ATTR { return hn::Sub(v, hn::ConvertTo(d, n)); }, x, whole);
+  // Of 1.5 * 2^23 + x the last bits are the nearest integer, and its negative as two's complement.
+  const V shift = hn::Set(d, 12582912.f);
+  const T shifted = each([shift](V v) HWY_ATTR { return hn::Add(v, shift); }, x);
+  const T f = each([shift](V v, V n) HWY_ATTR { return hn::Sub(v, hn::Sub(n, shift)); }, x, shifted);
   T series =
       each([d](V v) HWY_ATTR { return hn::MulAdd(v, hn::Set(d, 0.000154035304f), hn::Set(d, 0.00133335581f)); }, f);
   series = multiplyAdd(d, f, series, 0.00961812911f);
@@ -108,9 +113,10 @@ template <class D, class T> HWY_INLINE T fastExp2(D d, const T& x) {
   series = multiplyAdd(d, f, series, 0.240226507f);
   series = multiplyAdd(d, f, series, 0.693147181f);
   series = multiplyAdd(d, f, series, 1.f);
-  return each([d, di](V sum, auto n)
-                  HWY_ATTR { return hn::BitCast(d, hn::Add(hn::BitCast(di, sum), hn::ShiftLeft<23>(n))); },
-              series, whole);
+  return each(
+      [d, di](V sum, V n)
+          HWY_ATTR { return hn::BitCast(d, hn::Add(hn::BitCast(di, sum), hn::ShiftLeft<23>(hn::BitCast(di, n)))); },
+      series, shifted);
 }
 
 } // namespace parity::compare::HWY_NAMESPACE
