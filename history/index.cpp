@@ -41,7 +41,7 @@ Index::Index(const Database& database)
 
 std::int64_t Index::metricOf(const std::string& name) {
   if (const auto found = m_metrics.find(name); found != m_metrics.end()) return found->second;
-  const std::optional<compare::Statistic> known = compare::statisticByName(name);
+  const std::shared_ptr<const compare::Statistic> known = compare::statisticByName(name);
   m_insertMetric.run(name, nameOfBetter(known ? known->better : compare::Better::lower));
   return m_metrics.emplace(name, m_database.lastId()).first->second;
 }

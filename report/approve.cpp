@@ -78,7 +78,7 @@ private:
   std::string add(const ApprovedRow& row, const std::string& metric) {
     const std::optional<double> figure = row.figures().find(metric);
     if (!figure || !std::isfinite(*figure)) return metric + " is not a number";
-    const std::optional<compare::Statistic> statistic = compare::statisticByName(metric);
+    const std::shared_ptr<const compare::Statistic> statistic = compare::statisticByName(metric);
     if (!statistic) return metric + " is not known";
     compare::Approval entry;
     entry.scene = row.scene.name;

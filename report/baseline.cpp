@@ -144,7 +144,7 @@ void judgeRegression(compare::CheckResult& check, const compare::Figures* before
     return;
   }
   const std::optional<double> old = before->find(check.metric);
-  const std::optional<compare::Statistic> statistic = compare::statisticByName(check.metric);
+  const std::shared_ptr<const compare::Statistic> statistic = compare::statisticByName(check.metric);
   if (!old || std::isnan(*old) || !statistic) {
     check.verdict = compare::Verdict::error;
     check.note = old ? "not a number in the baseline" : "not measured in the baseline";

@@ -25,7 +25,7 @@ compare::Verdict worse(compare::Verdict a, compare::Verdict b) { return std::max
 // Infinite may only be what is better the more of it there is: psnr of identical images.
 bool isSound(const compare::Figure& figure) {
   if (std::isfinite(figure.value)) return true;
-  const std::optional<compare::Statistic> statistic = compare::statisticByName(figure.name);
+  const std::shared_ptr<const compare::Statistic> statistic = compare::statisticByName(figure.name);
   return figure.value == INFINITY && statistic && statistic->better == compare::Better::higher;
 }
 

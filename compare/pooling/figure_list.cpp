@@ -31,7 +31,7 @@ std::vector<Statistic> parseFigures(std::string_view commaSeparated, const std::
     if (part.empty())
       throw base::Error(base::ExitCode::usage, subject, "'" + std::string(commaSeparated) + "'",
                         "give names of metrics or figures, separated by commas");
-    const std::optional<Statistic> figure = statisticByName(part);
+    const std::shared_ptr<const Statistic> figure = statisticByName(part);
     const Metric* metric = figure ? nullptr : findMetric(part);
     if (!figure && !metric) throwUnknown(part, subject);
     figures.push_back(figure ? *figure : metric->statistics.front());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,22 +20,22 @@ namespace {
 constexpr std::string_view kFractionOver = ".fraction_over(";
 
 // "flip.fraction_over(0.1)": the share of pixels above a threshold within the metric's range.
-std::optional<Statistic> fractionOver(std::string_view name) {
+std::shared_ptr<const Statistic> fractionOver(std::string_view name) {
   const std::size_t at = name.find(kFractionOver);
-  if (at == std::string_view::npos || !name.ends_with(')')) return std::nullopt;
+  if (at == std::string_view::npos || !name.ends_with(')')) return nullptr;
   const Metric* metric = findMetric(name.substr(0, at));
-  if (!metric || !metric->hasFractionOver) return std::nullopt;
+  if (!metric || !metric->hasFractionOver) return nullptr;
   const std::string_view text = name.substr(at + kFractionOver.size(), name.size() - 1 - at - kFractionOver.size());
   double threshold = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threshold);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (error != std::errc() || end != text.data() + text.size()) return nullptr;
   const Statistic& ranged = metric->statistics.front();
-  if (!(threshold >= ranged.least && threshold < ranged.most)) return std::nullopt; // NaN is in no range
+  if (!(threshold >= ranged.least && threshold < ranged.most)) return nullptr; // NaN is in no range
   Statistic statistic;
   statistic.name = fmt::format("{}.fraction_over({})", metric->name, threshold + 0.); // -0 is 0
   statistic.metric = metric->name;
   statistic.label = fmt::format("share of pixels with {} over {}", metric->label, threshold + 0.);
-  return statistic;
+  return std::make_shared<const Statistic>(std::move(statistic));
 }
 
 } // namespace
@@ -44,10 +46,15 @@ std::optional<double> Figures::find(std::string_view name) const {
   return found->value;
 }
 
-std::optional<Statistic> statisticByName(std::string_view name) {
-  for (const Metric& metric : metricRegistry())
-    for (const Statistic& statistic : metric.statistics)
-      if (statistic.name == name) return statistic;
+std::shared_ptr<const Statistic> statisticByName(std::string_view name) {
+  static const auto index = [] {
+    std::unordered_map<std::string_view, const Statistic*> all;
+    for (const Metric& metric : metricRegistry())
+      for (const Statistic& statistic : metric.statistics) all.emplace(statistic.name, &statistic);
+    return all;
+  }();
+  // Every figure of every row is looked up, several times: without a copy. The registry stays as long as the program.
+  if (const auto known = index.find(name); known != index.end()) return {std::shared_ptr<void>(), known->second};
   return fractionOver(name);
 }
 
@@ -67,7 +74,7 @@ std::vector<std::string> knownStatistics() {
 }
 
 Statistic requireStatistic(std::string_view name, const std::string& subject) {
-  if (std::optional<Statistic> found = statisticByName(name)) return *found;
+  if (const std::shared_ptr<const Statistic> found = statisticByName(name)) return *found;
   const std::vector<std::string> known = knownStatistics();
   const std::vector<std::string_view> views(known.begin(), known.end());
   throw base::Error(base::ExitCode::usage, subject, "'" + std::string(name) + "'",

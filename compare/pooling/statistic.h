@@ -1,7 +1,7 @@
 // The names of figures: "metric.statistic", what each means, which way is better, and in what range it lies.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +22,8 @@ struct Statistic {
 };
 
 // Parses a figure's name against the registry (compare/metrics/metric.h). "flip.fraction_over(0.10)" is canonicalised
-// to "flip.fraction_over(0.1)". Empty for a name that is not known.
-std::optional<Statistic> statisticByName(std::string_view name);
+// to "flip.fraction_over(0.1)". Null for a name that is not known.
+std::shared_ptr<const Statistic> statisticByName(std::string_view name);
 
 // Whether any value of the figure's range could be beyond the limit. One that none could be can never trip: a check
 // that always passes.

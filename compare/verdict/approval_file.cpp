@@ -78,7 +78,7 @@ private:
     entry.view = required(table, "view", "a view's name");
     readSubject(table, entry);
     entry.metric = required(table, "metric", "a figure, such as flip.mean");
-    const std::optional<Statistic> statistic = statisticByName(entry.metric);
+    const std::shared_ptr<const Statistic> statistic = statisticByName(entry.metric);
     if (!statistic) {
       const std::vector<std::string> names = knownStatistics();
       refuse(

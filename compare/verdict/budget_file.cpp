@@ -211,9 +211,9 @@ private:
     BudgetCheck check;
     if (!table.contains("metric")) refuse(table.source(), "the check has no 'metric'");
     const std::string metric = textOf(table, "metric", "");
-    std::optional<Statistic> known = statisticByName(metric);
+    const std::shared_ptr<const Statistic> known = statisticByName(metric);
     if (!known) {
-      if (const std::optional<Statistic> first = statisticByName(metric + ".mean"))
+      if (const std::shared_ptr<const Statistic> first = statisticByName(metric + ".mean"))
         refuse(table.get("metric")->source(),
                fmt::format("unknown metric '{}'; did you mean '{}'?", metric, first->name));
       const std::vector<std::string> names = knownStatistics();
@@ -221,7 +221,7 @@ private:
              fmt::format("unknown metric '{}'; {}", metric,
                          base::describeNearest(metric, std::vector<std::string_view>(names.begin(), names.end()))));
     }
-    check.statistic = std::move(*known);
+    check.statistic = *known;
     check.warn = readLimit(table, "warn", check.statistic, regress);
     check.fail = readLimit(table, "fail", check.statistic, regress);
     if (!check.warn && !check.fail) refuse(table.source(), "the check needs 'warn' or 'fail'");

@@ -18,14 +18,14 @@ constexpr int kShareDigits = 1;                  // of a percentage
 constexpr int kMostDigits = 8;                   // after the point
 
 Better betterOf(const CheckResult& check) {
-  const std::optional<Statistic> statistic = statisticByName(check.metric);
+  const std::shared_ptr<const Statistic> statistic = statisticByName(check.metric);
   return statistic && !check.regress ? statistic->better : Better::lower;
 }
 
 constexpr int kFewDigits = -1; // as many as the statistic has
 
 std::string formatNumber(const std::string& metric, double value, bool sign, int digits = kFewDigits) {
-  const std::optional<Statistic> statistic = statisticByName(metric);
+  const std::shared_ptr<const Statistic> statistic = statisticByName(metric);
   const bool share = isShare(metric);
   if (share) value *= 100;
   if (digits == kFewDigits) digits = share ? kShareDigits : statistic ? statistic->digits : 3;
@@ -40,7 +40,7 @@ std::string formatNumber(const std::string& metric, double value, bool sign, int
 // As few digits as tell the check's value from its limits, so that nothing is said to be "below 20.9" at 20.9; beyond
 // kMostDigits the shortest text that reads back as the very number.
 int digitsOf(const CheckResult& check) {
-  const std::optional<Statistic> statistic = statisticByName(check.metric);
+  const std::shared_ptr<const Statistic> statistic = statisticByName(check.metric);
   int digits = isShare(check.metric) ? kShareDigits : statistic ? statistic->digits : 3;
   if (!std::isfinite(check.value)) return digits;
   const double held = betterOf(check) == Better::nearZero ? std::abs(check.value) : check.value; // what limits bound
@@ -51,7 +51,7 @@ int digitsOf(const CheckResult& check) {
 }
 
 bool isSigned(const std::string& metric) {
-  const std::optional<Statistic> statistic = statisticByName(metric);
+  const std::shared_ptr<const Statistic> statistic = statisticByName(metric);
   return statistic && statistic->better == Better::nearZero;
 }
 
@@ -97,13 +97,13 @@ std::string describeLuma(const Figures& figures, std::string_view test) {
 } // namespace
 
 std::string labelOf(const CheckResult& check) {
-  const std::optional<Statistic> statistic = statisticByName(check.metric);
+  const std::shared_ptr<const Statistic> statistic = statisticByName(check.metric);
   return statistic ? statistic->label : check.metric;
 }
 
 std::string formatFigure(const std::string& metric, double value) {
   if (std::isnan(value)) return "not a number";
-  const std::optional<Statistic> statistic = statisticByName(metric);
+  const std::shared_ptr<const Statistic> statistic = statisticByName(metric);
   if (std::isinf(value))
     return statistic && statistic->better == Better::higher && value > 0 ? "identical" : "infinite";
   return formatNumber(metric, value, isSigned(metric));

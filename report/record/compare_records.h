@@ -57,7 +57,7 @@ template <> struct ByName<compare::Figure> {
   static double valueOf(const compare::Figure& figure) { return figure.value; }
   static compare::Figure make(const std::string& name, std::optional<double> value) {
     if (value) return {name, *value};
-    const std::optional<compare::Statistic> known = compare::statisticByName(name);
+    const std::shared_ptr<const compare::Statistic> known = compare::statisticByName(name);
     return {name, known && known->better == compare::Better::higher && std::isinf(known->most) ? INFINITY : NAN};
   }
 };

@@ -27,7 +27,7 @@ std::set<std::string> figureNames(const Report& report) {
 std::map<std::string, FigureWords> figureWordsOf(const Report& report) {
   std::map<std::string, FigureWords> words;
   for (const std::string& name : figureNames(report))
-    if (const std::optional<compare::Statistic> statistic = compare::statisticByName(name)) {
+    if (const std::shared_ptr<const compare::Statistic> statistic = compare::statisticByName(name)) {
       const bool isShare = compare::isShare(name);
       words[name] = {statistic->label, isShare ? "%" : statistic->unit, isShare ? 1 : statistic->digits,
                      statistic->better == compare::Better::lower    ? "lower"

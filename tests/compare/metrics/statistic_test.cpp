@@ -23,7 +23,7 @@ TEST(Statistic, EveryRegisteredFigureIsFoundByItsNameAndSaysHowToReadIt) {
       EXPECT_TRUE(statistic.name == metric.name || statistic.name.starts_with(metric.name + "."));
       EXPECT_FALSE(statistic.label.empty());
       EXPECT_LT(statistic.least, statistic.most);
-      const std::optional<Statistic> found = statisticByName(statistic.name);
+      const std::shared_ptr<const Statistic> found = statisticByName(statistic.name);
       ASSERT_TRUE(found);
       EXPECT_EQ(found->label, statistic.label);
     }
@@ -35,7 +35,7 @@ TEST(Statistic, EveryRegisteredFigureIsFoundByItsNameAndSaysHowToReadIt) {
 
 TEST(Statistic, FractionOverIsKnownForAnyThresholdInRangeInOneSpelling) {
   for (const char* spelling : {"flip.fraction_over(0.1)", "flip.fraction_over(0.10)", "flip.fraction_over(1e-1)"}) {
-    const std::optional<Statistic> found = statisticByName(spelling);
+    const std::shared_ptr<const Statistic> found = statisticByName(spelling);
     ASSERT_TRUE(found) << spelling;
     EXPECT_EQ(found->name, "flip.fraction_over(0.1)");
     EXPECT_EQ(found->label, "share of pixels with FLIP over 0.1");
