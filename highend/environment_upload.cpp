@@ -70,17 +70,24 @@ gpu::EnvironmentMaps uploadEnvironment(const gpu::Device& device, const lighting
 gpu::EnvironmentMaps uploadCaptures(const gpu::Device& device, paths::Cubes cubes,
                                     const lighting::EnvironmentLight& sky) {
   const std::size_t mipCount = cubes.front()->mips.size();
-  std::vector<std::vector<glm::vec4>> texels(mipCount);
-  for (std::size_t m = 0; m < mipCount; ++m)
+  std::vector<std::vector<glm::vec4>> joined(mipCount);
+  std::vector<std::span<const std::byte>> mips;
+  for (std::size_t m = 0; m < mipCount; ++m) {
+    const auto lacking = [&](const lighting::CubeMap& cube) {
+      return shading::f32::kPrefilterLayers - lighting::layersOf(cube, static_cast<int>(m));
+    };
+    if (cubes.size() == 1 && lacking(*cubes.front()) == 0) { // an environment's finest are tens of megabytes
+      mips.push_back(std::as_bytes(std::span{cubes.front()->mips[m]}));
+      continue;
+    }
     for (const lighting::CubeMap* cube : cubes) {
       const std::vector<glm::vec4>& mip = cube->mips[m];
-      texels[m].insert(texels[m].end(), mip.begin(), mip.end());
       // Mips of one layer hold it in place of those that are not read, too.
-      for (int layer = lighting::layersOf(*cube, static_cast<int>(m)); layer < shading::f32::kPrefilterLayers; ++layer)
-        texels[m].insert(texels[m].end(), mip.begin(), mip.end());
+      for (int copies = 1 + lacking(*cube); copies > 0; --copies)
+        joined[m].insert(joined[m].end(), mip.begin(), mip.end());
     }
-  std::vector<std::span<const std::byte>> mips;
-  for (const std::vector<glm::vec4>& mip : texels) mips.push_back(std::as_bytes(std::span{mip}));
+    mips.push_back(std::as_bytes(std::span{joined[m]}));
+  }
   const auto size = static_cast<std::uint32_t>(cubes.front()->faceSize);
   constexpr auto kFormat = vk::Format::eR32G32B32A32Sfloat;
   gpu::EnvironmentMaps maps =
