@@ -1,12 +1,18 @@
 #include "compare/flip/flip_hdr.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <mutex>
+#include <numeric>
 #include <vector>
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/raw_vector.h"
 #include "compare/flip/flip_run.h"
 
 namespace parity::compare {
@@ -24,24 +30,50 @@ struct Luminances {
   float max = 0, median = 0; // 0: there is none
 };
 
+// Positive floats of a bucket share their exponent and the first four bits behind the point: buckets are in the order
+// of the values.
+constexpr int kBucketShift = 19;
+constexpr std::size_t kLuminanceBuckets = std::size_t{1} << (31 - kBucketShift);
+std::size_t bucketOf(float value) { return std::bit_cast<std::uint32_t>(value) >> kBucketShift; }
+// A denormal one would be exposed by more than a float can hold.
+bool isCounted(float luminance) { return luminance >= std::numeric_limits<float>::min(); }
+
 Luminances measureLuminances(const PixelView& image) {
-  std::vector<float> values(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-  base::parallelFor(static_cast<std::size_t>(image.height), 16, [&](std::size_t begin, std::size_t end) {
+  base::RawVector<float> values(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+  std::array<std::size_t, kLuminanceBuckets> counts{};
+  std::mutex mutex;
+  Luminances found;
+  base::parallelFor(static_cast<std::size_t>(image.height), 64, [&](std::size_t begin, std::size_t end) {
+    std::array<std::size_t, kLuminanceBuckets> own{};
+    float most = 0;
     for (std::size_t y = begin; y < end; ++y) {
       const float* row = image.floats + static_cast<std::ptrdiff_t>(y) * image.stride;
       float* out = values.data() + y * static_cast<std::size_t>(image.width);
       for (int x = 0; x < image.width; ++x) {
         const float* c = row + static_cast<std::ptrdiff_t>(x) * image.channels;
         out[x] = 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
+        if (!isCounted(out[x])) continue;
+        ++own[bucketOf(out[x])];
+        most = std::max(most, out[x]);
       }
     }
+    const std::lock_guard lock(mutex);
+    found.max = std::max(found.max, most);
+    for (std::size_t i = 0; i < kLuminanceBuckets; ++i) counts[i] += own[i];
   });
-  // A denormal one would be exposed by more than a float can hold.
-  std::erase_if(values, [](float v) { return !(v >= std::numeric_limits<float>::min()); });
-  if (values.empty()) return {};
-  const auto median = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), median, values.end());
-  return {*std::max_element(median, values.end()), *median};
+  const std::size_t count = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  if (count == 0) return {};
+  // The bucket of the median, and its place in it.
+  std::size_t bucket = 0, place = count / 2;
+  for (; place >= counts[bucket]; ++bucket) place -= counts[bucket];
+  std::vector<float> near;
+  near.reserve(counts[bucket]);
+  for (const float value : values)
+    if (isCounted(value) && bucketOf(value) == bucket) near.push_back(value);
+  const auto median = near.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(near.begin(), median, near.end());
+  found.median = *median;
+  return found;
 }
 
 bool areEqual(const PixelView& a, const PixelView& b) {

@@ -1,8 +1,12 @@
 // HDR-FLIP: the maps and ranges that NVIDIA's C++ tool v1.6 made of the pair in golden/, the plain oracle, and the
 // pairs that tool passes in silence.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -116,6 +120,34 @@ TEST(HdrFlip, TheBrightestExposedValueComesOutAsPoint85) {
   EXPECT_NEAR(brightestExposed(Tonemapper::aces), 2.11887232, 1e-6); // docs/flip-metric.md 6a
   EXPECT_NEAR(brightestExposed(Tonemapper::hable), 3.12774928, 1e-5);
   EXPECT_NEAR(brightestExposed(Tonemapper::reinhard), 5.66666667, 1e-7);
+}
+
+// By sorting all of them. Rows of a large picture are counted by several threads.
+TEST(HdrFlip, TheRangeIsFromTheBrightestToTheMedianOfThePositiveLuminances) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> exponent(-100, 60), near(0.9999f, 1.0001f), share(0, 1);
+  for (const auto& [width, height, isNarrow] :
+       {std::tuple{300, 200, false}, {299, 201, false}, {300, 200, true}, {1, 1, false}}) {
+    base::Image image(width, height, 3);
+    std::vector<float> luminances;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+      const float kind = share(random), size = isNarrow ? near(random) : std::exp2(exponent(random));
+      float* c = &image.pixels[i];
+      for (int k = 0; k < 3; ++k) c[k] = size * share(random) + size;
+      if (i > 0 && kind < 0.1f) c[0] = c[1] = c[2] = 0;
+      if (i > 0 && kind > 0.9f) c[1] = -4 * size;
+      if (i > 0 && kind > 0.4f && kind < 0.5f) c[0] = c[1] = c[2] = 1e-39f;
+      const float luminance = 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
+      if (luminance >= std::numeric_limits<float>::min()) luminances.push_back(luminance);
+    }
+    std::ranges::sort(luminances);
+    const auto exposureFor = [](float luminance) {
+      return static_cast<float>(std::log2(brightestExposed(Tonemapper::aces) / static_cast<double>(luminance)));
+    };
+    const ExposureRange range = exposureRange(image, image, {});
+    EXPECT_EQ(range.start, exposureFor(luminances.back()));
+    EXPECT_EQ(range.stop, exposureFor(luminances[luminances.size() / 2]));
+  }
 }
 
 class HdrFlipOracle : public ::testing::TestWithParam<std::string> {
