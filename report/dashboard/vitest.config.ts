@@ -11,6 +11,7 @@ export default defineConfig({
           name: "e2e",
           include: ["tests/e2e/**/*.test.ts"],
           setupFiles: ["tests/e2e/setup.ts"],
+          expect: { poll: { timeout: 10_000 } }, // a busy machine takes its time
           testTimeout: 60_000,
           hookTimeout: 120_000,
         },

@@ -44,7 +44,7 @@ describe("axe-core finds nothing serious in", () => {
 describe("a report that cannot be shown", () => {
   it("says so to everyone", async () => {
     const { page } = await openReport(browser, changedReport("empty", (html) => html.replace(/"schema":\s*\d+/, '"schema":99')));
-    expect(await page.getAttribute(".failure", "role")).toBe("alert");
+    await expect.poll(() => page.getAttribute(".failure", "role")).toBe("alert");
     expect(await violations(page)).toEqual([]);
   });
 });
@@ -91,7 +91,7 @@ describe("by keyboard alone", () => {
     const { page } = await openReport(browser, reportFolder("many"));
     await page.focus("button.help[data-help=mean]");
     await page.keyboard.press("Enter");
-    expect(await page.textContent(".help-bubble:not([hidden])")).toContain("mean of FLIP");
+    await expect.poll(() => page.textContent(".help-bubble:not([hidden])")).toContain("mean of FLIP");
     await page.keyboard.press("Escape");
     await page.waitForSelector(".help-bubble", { state: "hidden" });
     expect(await page.locator("button.help:not([aria-label])").count()).toBe(0);
@@ -105,8 +105,8 @@ describe("on paper", () => {
     await page.setViewportSize({ width: 794, height: 1123 });
     await settle(page);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(794);
-    if (hash === "" || hash.startsWith("#group")) expect(await page.isVisible(".list-head .sort >> nth=0")).toBe(true);
-    if (hash.startsWith("#group")) expect(await page.isVisible(".row.group button >> nth=0")).toBe(true);
+    if (hash === "" || hash.startsWith("#group")) await expect.poll(() => page.isVisible(".list-head .sort >> nth=0")).toBe(true);
+    if (hash.startsWith("#group")) await expect.poll(() => page.isVisible(".row.group button >> nth=0")).toBe(true);
   });
 
   it("the overview prints its rows in full, without controls", async () => {

@@ -20,12 +20,14 @@ describe("names that try to break out", () => {
     await page.waitForSelector(".list .row");
     const names = new Set<string>();
     for (let top = 0; top < 6000; top += 400) {
-      await page.evaluate((at) => (document.querySelector(".list-scroll") as HTMLElement).scrollTo(0, at), top);
-      await page.waitForTimeout(60);
+      await page.evaluate(async (at) => {
+        (document.querySelector(".list-scroll") as HTMLElement).scrollTo(0, at);
+        await new Promise((done) => requestAnimationFrame(done)); // the frame's event of the scrolling, which draws the rows, is before
+      }, top);
       for (const name of await page.locator(".list .row .name").allTextContents()) names.add(name);
     }
     for (const name of ["<script>window.broken = 1</script>", "🎨🧑‍🎨 emoji", "خشب لامع", "(no name)", "twice", "x".repeat(10000)]) expect(names.has(name), name.slice(0, 40)).toBe(true);
-    expect(await page.textContent(".notices"), "what the run survived").toContain("flaky crash: a worker crashed with");
+    await expect.poll(() => page.textContent(".notices"), { message: "what the run survived" }).toContain("flaky crash: a worker crashed with");
     expect(await isBroken(page)).toBeUndefined();
     expect(realProblems(opened)).toEqual([]);
   });
@@ -40,10 +42,11 @@ describe("names that try to break out", () => {
       await page.keyboard.press("ArrowDown");
       for (const key of ["t", "n", "c"]) await page.keyboard.press(key);
       await page.waitForSelector("parity-item h2");
+      await page.waitForSelector(".item-panel > [role=status]", { state: "detached" }); // its details are there
       const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
       expect(wide, `item ${i} is wider than the page`).toBeLessThanOrEqual(0);
     }
-    expect(await page.textContent("parity-item .place")).toBe(`${count} of ${count}`);
+    await expect.poll(() => page.textContent("parity-item .place")).toBe(`${count} of ${count}`);
     expect(await isBroken(page)).toBeUndefined();
     expect(realProblems(opened)).toEqual([]);
   });
@@ -92,8 +95,8 @@ describe("figures that are not known", () => {
 describe("reports that are not as expected", () => {
   it("of no rows: say so, and nothing breaks", async () => {
     const opened = await openReport(browser, reportFolder("empty"));
-    expect(await opened.page.textContent("h1")).toContain("Nothing was compared");
-    expect(await opened.page.textContent(".nothing")).toContain("Nothing");
+    await expect.poll(() => opened.page.textContent("h1")).toContain("Nothing was compared");
+    await expect.poll(() => opened.page.textContent(".nothing")).toContain("Nothing");
     await opened.page.keyboard.press("ArrowDown");
     expect(await opened.page.locator("parity-item").count()).toBe(0);
     expect(opened.problems).toEqual([]);
@@ -102,7 +105,7 @@ describe("reports that are not as expected", () => {
   it("of another schema version: are refused in words that name both", async () => {
     const folder = changedReport("empty", (html) => html.replace(/"schema":\s*\d+/, '"schema":99'));
     const opened = await openReport(browser, folder);
-    expect(await opened.page.textContent(".failure")).toMatch(/schema version 99.*version \d+\./s);
+    await expect.poll(() => opened.page.textContent(".failure")).toMatch(/schema version 99.*version \d+\./s);
     expect(opened.problems).toEqual([]);
   });
 

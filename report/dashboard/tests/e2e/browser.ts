@@ -135,13 +135,14 @@ export async function openReport(browser: Browser, folder: string, hash = "", op
   return opened;
 }
 
-/** Waits until the page's content and size have not changed for a tenth of a second, and its pictures are there (lazy ones may stay away). */
+/** Waits until the page's content and size have not changed for a tenth of a second, and its pictures and values are there (lazy pictures may stay away). */
 export async function settle(page: Page): Promise<void> {
   await page.evaluate(async () => {
     const look = (): string => {
       const root = document.documentElement;
-      const loading = [...document.images].filter((each) => !each.complete && each.loading !== "lazy").length;
-      return `${loading} ${root.scrollWidth} ${root.scrollHeight} ${root.outerHTML}`;
+      const pictures = [...document.images].filter((each) => !each.complete && each.loading !== "lazy").length;
+      const values = [...document.querySelectorAll("[role=status], p.aside")].filter((each) => /^\s*loading\b.*…/i.test(each.textContent ?? "")).length;
+      return `${pictures + values} ${root.scrollWidth} ${root.scrollHeight} ${root.outerHTML}`;
     };
     let before = "";
     for (let same = 0; same < 2; ) {

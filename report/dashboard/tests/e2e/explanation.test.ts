@@ -46,12 +46,12 @@ describe.each([
     const { page, problems } = await open(kTextured);
     await page.waitForSelector(".explanation");
     expect(await page.evaluate(() => [...document.querySelectorAll(".item-panel > section")].map((each) => each.className))).toEqual(["checks", "explanation", "material-card"]);
-    expect(await page.textContent(".explanation .advice")).toContain("mobile-parallax=on: mean FLIP 0.090 instead of 0.445");
-    expect(await page.locator(".explained-pictures figcaption").allTextContents()).toEqual(["High-end", "Mobiletoday, FLIP 0.445", "mobile-parallax=onFLIP 0.090"]);
-    expect(await page.textContent(".explained-sets tr.advised")).toMatch(/mobile-parallax=on advised.*0\.090.*476.*\+13 %/s);
+    await expect.poll(() => page.textContent(".explanation .advice")).toContain("mobile-parallax=on: mean FLIP 0.090 instead of 0.445");
+    await expect.poll(() => page.locator(".explained-pictures figcaption").allTextContents()).toEqual(["High-end", "Mobiletoday, FLIP 0.445", "mobile-parallax=onFLIP 0.090"]);
+    await expect.poll(() => page.textContent(".explained-sets tr.advised")).toMatch(/mobile-parallax=on advised.*0\.090.*476.*\+13 %/s);
     const rows = page.locator(".approximations tbody tr");
-    expect(await rows.nth(0).textContent()).toMatch(/\+0\.387.*\+0\.355/s);
-    expect(await rows.nth(1).textContent()).toContain("alone the other way");
+    await expect.poll(() => rows.nth(0).textContent()).toMatch(/\+0\.387.*\+0\.355/s);
+    await expect.poll(() => rows.nth(1).textContent()).toContain("alone the other way");
     expect(await rows.nth(2).textContent()).not.toContain("alone the other way");
     const [fill, zero] = await rows.nth(2).locator(".bar >> nth=0").locator(".fill, .zero").evaluateAll((parts) => parts.map((each) => each.getBoundingClientRect()));
     expect(fill!.right).toBeLessThanOrEqual(zero!.right);
@@ -61,9 +61,9 @@ describe.each([
   it("shows where the error lies, and marks it on the texture", async () => {
     const { page } = await open(kTextured);
     await page.waitForSelector(".error-places");
-    expect(await page.locator(".error-range figcaption b").allTextContents()).toEqual(["Roughness", "N.V"]);
-    expect(await page.getAttribute(".range-plot >> nth=0", "aria-label")).toContain("from 0.2 to 0.3: 60 % of the FLIP, on 30 % of the pixels");
-    expect(await page.textContent(".error-mask")).toContain("marked: 12 % of the texels hold half of the FLIP");
+    await expect.poll(() => page.locator(".error-range figcaption b").allTextContents()).toEqual(["Roughness", "N.V"]);
+    await expect.poll(() => page.getAttribute(".range-plot >> nth=0", "aria-label")).toContain("from 0.2 to 0.3: 60 % of the FLIP, on 30 % of the pixels");
+    await expect.poll(() => page.textContent(".error-mask")).toContain("marked: 12 % of the texels hold half of the FLIP");
     await settle(page);
     const sizes = await page.locator(".masked img").evaluateAll((images) => images.map((each) => { const { x, y, width, height } = each.getBoundingClientRect(); return [x, y, width, height]; }));
     expect(sizes[1]).toEqual(sizes[0]);
@@ -72,7 +72,7 @@ describe.each([
   it("names the approximation in the head, and fits the screen in reach of everyone", async () => {
     const { page } = await open(kTextured);
     await page.waitForSelector(".explanation");
-    expect(await page.textContent(".item-head .approximation")).toContain("Approximation: captures without parallax (0.387 of FLIP 0.445)");
+    await expect.poll(() => page.textContent(".item-head .approximation")).toContain("Approximation: captures without parallax (0.387 of FLIP 0.445)");
     await settle(page);
     expect(await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.querySelector("#panel")!.scrollWidth - document.querySelector("#panel")!.clientWidth])).toEqual([0, 0]);
     expect(await violations(page)).toEqual([]);
@@ -82,7 +82,7 @@ describe.each([
 
   it("says why there is no explanation, and nothing of what was not asked", async () => {
     const { page } = await open(0);
-    expect(await page.textContent(".explanation")).toMatch(/What would help\s*Not explained: too many lights/);
+    await expect.poll(() => page.textContent(".explanation")).toMatch(/What would help\s*Not explained: too many lights/);
     expect(await page.locator(".item-head .approximation").count()).toBe(0);
     const { page: other } = await open(1);
     await other.waitForSelector(".material-card");

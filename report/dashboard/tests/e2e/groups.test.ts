@@ -36,7 +36,7 @@ function withBaseline(): string {
 }
 
 const shown = (page: Page): Promise<string | null> => page.textContent(".shown");
-const waitForShown = (page: Page, count: number): Promise<void> => expect.poll(() => shown(page), { timeout: 10000 }).toBe(`${count} of 500 rows`);
+const waitForShown = (page: Page, count: number): Promise<void> => expect.poll(() => shown(page)).toBe(`${count} of 500 rows`);
 
 describe("since a baseline", () => {
   const rows = rowsOf(readReport("many")).filter((row) => row.kind === "material");
@@ -53,7 +53,7 @@ describe("since a baseline", () => {
     await page.click(".since a.new");
     await waitForShown(page, newFailures);
     expect(page.url()).toContain("changes=new");
-    expect(await page.textContent(".list .row >> nth=0")).toContain("new failure");
+    await expect.poll(() => page.textContent(".list .row >> nth=0")).toContain("new failure");
     expect(problems).toEqual([]);
   });
 
@@ -61,14 +61,14 @@ describe("since a baseline", () => {
     const { page } = await openReport(browser, withBaseline());
     await page.click(".chips.changes .chip.better");
     await waitForShown(page, 50 + 50 - failsNow);
-    expect(await page.textContent(".list .row >> nth=0 >> .cell-change")).toMatch(/−0\.\d/);
+    await expect.poll(() => page.textContent(".list .row >> nth=0 >> .cell-change")).toMatch(/−0\.\d/);
     await page.click(".chips.changes .chip.better");
     await page.click(".chips.changes .chip.not-comparable");
     await waitForShown(page, 50);
-    expect(await page.getAttribute(".list .row .tag.not-comparable >> nth=0", "title")).toBe("size: 1 instead of 2");
+    await expect.poll(() => page.getAttribute(".list .row .tag.not-comparable >> nth=0", "title")).toBe("size: 1 instead of 2");
     await page.click(".chips.changes .chip.not-comparable");
     await page.click("button.sort:has-text('Change')");
-    await expect.poll(() => page.textContent(".list .row >> nth=0 >> .cell-change"), { timeout: 10000 }).toContain("+0.1");
+    await expect.poll(() => page.textContent(".list .row >> nth=0 >> .cell-change")).toContain("+0.1");
   });
 
   it("is silent where there is none", async () => {
@@ -83,10 +83,10 @@ describe("groups", () => {
     await page.selectOption("select.grouping", "cause");
     await page.waitForSelector(".row.group");
     await page.click(".fold-all");
-    await expect.poll(() => page.locator(".list .row:not(.group)").count(), { timeout: 10000 }).toBe(0);
+    await expect.poll(() => page.locator(".list .row:not(.group)").count()).toBe(0);
     const rows = rowsOf(readReport("many")).filter((row) => row.kind === "material" && row.cause?.term === "skySpecular");
     const head = page.locator(".row.group", { hasText: "skySpecular" });
-    expect(await head.textContent()).toContain(`${rows.length} rows`);
+    await expect.poll(() => head.textContent()).toContain(`${rows.length} rows`);
     const worst = await head.locator(".worst a").first().textContent();
     await head.locator(".worst a").first().click();
     await page.waitForSelector("parity-item h2");
@@ -99,16 +99,16 @@ describe("groups", () => {
     const lines = async (): Promise<number> => Number(await page.getAttribute(".list", "aria-rowcount"));
     expect(await lines()).toBe(511);
     await page.click(".row.group button >> nth=0");
-    await expect.poll(lines, { timeout: 10000 }).toBe(461);
+    await expect.poll(lines).toBe(461);
     await page.keyboard.press("Escape");
     await page.keyboard.press("j");
     await page.waitForSelector("parity-item h2");
-    expect(await page.textContent("parity-item .item-head .place")).toContain("Scene 1 ");
+    await expect.poll(() => page.textContent("parity-item .item-head .place")).toContain("Scene 1 ");
   });
 
   it("are in the head of the page, too: what failed or warned, by cause", async () => {
     const { page } = await openReport(browser, reportFolder("many"));
-    expect(await page.locator(".causes li").count()).toBeGreaterThan(1);
+    await expect.poll(() => page.locator(".causes li").count()).toBeGreaterThan(1);
     await page.click(".causes a.all");
     await page.waitForSelector(".row.group");
     expect(page.url()).toContain("group=cause");
@@ -119,8 +119,8 @@ describe("what a row says", () => {
   it("names the scene of a view, and what each picture shows", async () => {
     const { page } = await openReport(browser, reportFolder("many"), "#list=views&sort=order&ascending=true");
     await page.waitForSelector(".list .row");
-    expect(await page.textContent(".list .row .name >> nth=0")).toBe("Scene 1 · view 1");
-    expect(await page.locator(".list .row >> nth=0 >> .labelled small").allTextContents()).toEqual(["High-end", "Mobile", "FLIP"]);
+    await expect.poll(() => page.textContent(".list .row .name >> nth=0")).toBe("Scene 1 · view 1");
+    await expect.poll(() => page.locator(".list .row >> nth=0 >> .labelled small").allTextContents()).toEqual(["High-end", "Mobile", "FLIP"]);
   });
 
   it("has bars on one scale, which the head of the column says", async () => {
@@ -141,16 +141,16 @@ describe("a link", () => {
     const said = (url: string): URLSearchParams => new URLSearchParams(new URL(url).hash.slice(1));
     expect(Object.fromEntries(said(page.url()))).toMatchObject({ scene: "Scene 4", view: "view 2", material: "Material 163", tab: "terms", group: "material" });
     await page.keyboard.press("j");
-    await expect.poll(() => said(page.url()).get("material"), { timeout: 10000 }).not.toBe("Material 163");
+    await expect.poll(() => said(page.url()).get("material")).not.toBe("Material 163");
     for (const key of ["tab", "group", "verdicts", "query", "sort"]) expect(said(page.url()).get(key), key).toBe(new URLSearchParams(hash.slice(1)).get(key));
     const { page: other } = await openReport(browser, reportFolder("many"), new URL(page.url()).hash);
     await other.waitForSelector("parity-item h2");
-    expect(await other.textContent("parity-item h2 bdi")).toBe(await page.textContent("parity-item h2 bdi"));
-    expect(await other.inputValue("#search")).toBe("material");
+    await expect.poll(() => other.textContent("parity-item h2 bdi")).toBe(await page.textContent("parity-item h2 bdi"));
+    await expect.poll(() => other.inputValue("#search")).toBe("material");
   });
 
   it("to what this report does not have says so", async () => {
     const { page } = await openReport(browser, reportFolder("many"), "#scene=Scene+1&view=view+1&material=Gone");
-    expect(await page.textContent(".notice.error")).toContain("Scene 1 · view 1 · Gone");
+    await expect.poll(() => page.textContent(".notice.error")).toContain("Scene 1 · view 1 · Gone");
   });
 });

@@ -59,8 +59,8 @@ describe.each([["1280x900", { width: 1280, height: 900 }], ["390x844", { width: 
     expect((await page.innerText(".since")).replace(/\s+/g, " ")).toMatch(/^Since the last run of main: .*1 fixed, 1 still failing, 1 flaky/);
     await page.click(".since a.still");
     await expect.poll(() => page.locator(".list .row").count()).toBe(1);
-    expect(await page.innerText(".list .row .standing")).toBe(viewport.width < 760 ? "12 nights" : "failing for 12 nights");
-    expect(await page.textContent(".list .row .owner")).toBe("owner characters");
+    await expect.poll(() => page.innerText(".list .row .standing")).toBe(viewport.width < 760 ? "12 nights" : "failing for 12 nights");
+    await expect.poll(() => page.textContent(".list .row .owner")).toBe("owner characters");
     expect(await page.evaluate(() => { const row = document.querySelector(".list .row")!; return row.scrollHeight - row.clientHeight; })).toBeLessThanOrEqual(0);
     expect(problems()).toEqual([]);
     expect(await violations(page)).toEqual([]);
@@ -69,17 +69,17 @@ describe.each([["1280x900", { width: 1280, height: 900 }], ["390x844", { width: 
   it("has a tab with the figures, the changes and the approved pictures of a row", async () => {
     const { page, problems } = await open(`${hashOfItem("real", 2)}&tab=history`);
     await page.waitForSelector("parity-run-chart canvas");
-    expect(await page.textContent(".standing-line")).toContain("failing for 12 nights");
-    expect(await page.textContent(".trend-head")).toMatch(/^Fails for 12 nights, since 2026-11-12 \(\w{12}\); cause: asset\./);
+    await expect.poll(() => page.textContent(".standing-line")).toContain("failing for 12 nights");
+    await expect.poll(() => page.textContent(".trend-head")).toMatch(/^Fails for 12 nights, since 2026-11-12 \(\w{12}\); cause: asset\./);
     const [newest, , oldest] = await page.locator("parity-history section", { hasText: "Changes" }).locator("tbody tr").allInnerTexts();
     expect(newest).toMatch(/^2026-11-13.*not known$/s);
     expect(oldest).toMatch(/^2026-11-05.*changed.*0.120 → 0.140 and 2 more.*build$/s);
-    expect(await page.locator(".approved img").count()).toBe(6);
+    await expect.poll(() => page.locator(".approved img").count()).toBe(6);
     await page.focus("parity-run-chart .plot");
     await page.keyboard.press("ArrowLeft");
     await expect.poll(() => page.textContent(".chart-at")).toMatch(/^this run: 0\.\d{3}$/);
     await page.selectOption("parity-history select", "bias.ev");
-    expect(await page.innerText("parity-history .approve .command code")).toMatch(/^parity approve \. --scene materials --view auto --material 'brushed steel' --owner WHO/);
+    await expect.poll(() => page.innerText("parity-history .approve .command code")).toMatch(/^parity approve \. --scene materials --view auto --material 'brushed steel' --owner WHO/);
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
     expect(problems()).toEqual([]);
     expect(await violations(page)).toEqual([]);
@@ -87,7 +87,7 @@ describe.each([["1280x900", { width: 1280, height: 900 }], ["390x844", { width: 
 
   it("says of a row that no run has that none has it", async () => {
     const { page } = await open(`${hashOfItem("real", 3)}&tab=history`);
-    expect(await page.textContent(".trend-head")).toBe("No earlier run has this row.");
+    await expect.poll(() => page.textContent(".trend-head")).toBe("No earlier run has this row.");
   });
 });
 
@@ -95,5 +95,5 @@ it("has no such tab without a history", async () => {
   const { page } = await openReport(browser, changedData("real", (report) => void Object.assign(report, { suite: "nightly" })), `${hashOfItem("real", 2)}&tab=history`);
   await page.waitForSelector("parity-item h2");
   expect(await page.locator("#tab-history").count()).toBe(0);
-  expect(await page.getAttribute("#tab-compare", "aria-selected")).toBe("true");
+  await expect.poll(() => page.getAttribute("#tab-compare", "aria-selected")).toBe("true");
 });

@@ -3,7 +3,7 @@ import type { Browser, Page } from "playwright-core";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import type { Report } from "../../src/data/types";
-import { changedData, hashOfItem, openReport, removeChanged, startBrowser } from "./browser";
+import { changedData, hashOfItem, openReport, removeChanged, settle, startBrowser } from "./browser";
 
 let browser: Browser;
 let folder = "";
@@ -47,10 +47,10 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
   it("with other presets is as high as the window", async () => {
     const page = await open(hashOfItem("real"));
     await page.waitForSelector(".what-ifs li");
-    await page.waitForTimeout(300);
+    await settle(page);
     expect(await page.evaluate(() => document.documentElement.scrollHeight - innerHeight)).toBe(0);
     expect((await page.textContent(".what-ifs li >> nth=0"))!.match(/pass/g)).toHaveLength(1);
-    expect(await page.textContent(".what-ifs li >> nth=0")).toContain("\u22120.02 EV instead of \u22120.28 EV");
+    await expect.poll(() => page.textContent(".what-ifs li >> nth=0")).toContain("\u22120.02 EV instead of \u22120.28 EV");
   });
 
   it("says the reason in full, the cause and what would help above the pictures", async () => {
@@ -59,9 +59,9 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     const bottoms = await page.evaluate(() => [".reason", ".cause", ".would-help"].map((each) => document.querySelector(`.item-head ${each}`)!.getBoundingClientRect().bottom));
     const top = await page.evaluate(() => document.querySelector("parity-pane .stage")!.getBoundingClientRect().top);
     for (const bottom of bottoms) expect(bottom).toBeLessThan(top);
-    expect(await page.textContent(".item-head .reason")).toBe(kReason.replace("-1.25", "\u22121.25"));
+    await expect.poll(() => page.textContent(".item-head .reason")).toBe(kReason.replace("-1.25", "\u22121.25"));
     expect(await page.evaluate(() => { const reason = document.querySelector(".item-head .reason")!; return [reason.scrollWidth - reason.clientWidth, reason.scrollHeight - reason.clientHeight]; })).toEqual([0, 0]);
-    expect(await page.textContent(".item-head .would-help")).toBe("Would help: preset one (FLIP 0.075, pass)");
+    await expect.poll(() => page.textContent(".item-head .would-help")).toBe("Would help: preset one (FLIP 0.075, pass)");
   });
 
   it("has limits and their verdict beside its numbers, and says where its commands run", async () => {
@@ -76,17 +76,17 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
 
   it("does not pass plainly where its budget accepts something", async () => {
     const page = await open(hashOfItem("real", 1));
-    expect(await page.textContent("#item-title .badge")).toContain("pass (accepted)");
-    expect(await page.textContent(".item-head p.accepted")).toContain("2 of 900 pixels are NaN");
-    expect(await page.textContent(".facts")).toMatch(/2 of [\d,]+ pixels are NaN or infinite/);
+    await expect.poll(() => page.textContent("#item-title .badge")).toContain("pass (accepted)");
+    await expect.poll(() => page.textContent(".item-head p.accepted")).toContain("2 of 900 pixels are NaN");
+    await expect.poll(() => page.textContent(".facts")).toMatch(/2 of [\d,]+ pixels are NaN or infinite/);
   });
 
   it("has its cause and what is accepted in the list, whose lines do not overlap", async () => {
     const page = await open("#sort=order&ascending=true");
     const [first, second] = [page.locator(".list .row >> nth=0"), page.locator(".list .row >> nth=1")];
     await expect.poll(() => first.locator(".cell-cause b").isVisible()).toBe(true);
-    expect(await first.locator(".cell-cause").textContent()).toContain("with one 0.075");
-    expect(await second.locator(".cell-gravity").textContent()).toMatch(/pass \(accepted\).*2 pixels NaN/s);
+    await expect.poll(() => first.locator(".cell-cause").textContent()).toContain("with one 0.075");
+    await expect.poll(() => second.locator(".cell-gravity").textContent()).toMatch(/pass \(accepted\).*2 pixels NaN/s);
     const overlaps = await first.evaluate((row) => {
       const boxes = [".cell-flip-mean", ".cell-bias", ".cell-cause"].map((each) => row.querySelector(each)!.getBoundingClientRect());
       const isOver = (a: DOMRect, b: DOMRect): boolean => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
@@ -97,7 +97,7 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
 
   it("is of a suite that the head and the title name", async () => {
     const page = await open("");
-    expect(await page.textContent(".page-head .suite")).toBe("Suite nightly");
+    await expect.poll(() => page.textContent(".page-head .suite")).toBe("Suite nightly");
     expect(await page.title()).toMatch(/^parity: nightly: /);
   });
 });

@@ -82,7 +82,7 @@ describe.each(kScreens)("an item at %s", (_name, viewport) => {
     const isFolded = (): Promise<string | null> => page.getAttribute(".tools .fold", "aria-expanded");
     if ((await isFolded()) === "true") await page.click(".tools .fold");
     await page.waitForSelector("#viewer-more", { state: "hidden" });
-    expect(await page.textContent(".tools .fold")).toContain("(1)"); // the exposure is not as at first
+    await expect.poll(() => page.textContent(".tools .fold")).toContain("(1)"); // the exposure is not as at first
     const folded = await height();
     await page.click(".tools .fold");
     await page.waitForSelector("#viewer-more", { state: "visible" });
@@ -117,9 +117,9 @@ describe("the row of the open item", () => {
     for (const place of [0, 37, 499]) {
       const { page } = await openReport(browser, reportFolder("many"), `${hashOfItem("many", place % 10, Math.floor(place / 50), Math.floor((place % 50) / 10))}&sort=order&ascending=true`, { viewport: { width: 1440, height: 900 } });
       await page.waitForSelector(openRow);
-      await expect.poll(() => outOfSight(page, [openRow]), { timeout: 10000 }).toEqual([]);
+      await expect.poll(() => outOfSight(page, [openRow])).toEqual([]);
       for (let i = 0; i < 12; ++i) await page.keyboard.press(place === 499 ? "k" : "j");
-      await expect.poll(async () => (await page.locator(openRow).count()) === 1 && (await outOfSight(page, [openRow])).length === 0, { timeout: 10000 }).toBe(true);
+      await expect.poll(async () => (await page.locator(openRow).count()) === 1 && (await outOfSight(page, [openRow])).length === 0).toBe(true);
       await closePages();
     }
   });
@@ -128,20 +128,20 @@ describe("the row of the open item", () => {
     const { page } = await openReport(browser, reportFolder("many"), `${hashOfItem("many", 9)}&sort=order&ascending=true`, { viewport: { width: 1440, height: 900 } });
     await page.waitForSelector(openRow);
     await page.setViewportSize({ width: 1100, height: 520 });
-    await expect.poll(() => outOfSight(page, [openRow]), { timeout: 10000 }).toEqual([]);
+    await expect.poll(() => outOfSight(page, [openRow])).toEqual([]);
   });
 
   it("is in sight where a link leads to a view and does not say which list", async () => {
     const { page } = await openReport(browser, reportFolder("many"), hashOfItem("many", -1, 7, 2), { viewport: { width: 1440, height: 900 } });
     await page.waitForSelector(openRow);
-    await expect.poll(() => outOfSight(page, [openRow]), { timeout: 10000 }).toEqual([]);
-    expect(await page.textContent(`${openRow} .name`)).toBe("Scene 8 · view 3");
+    await expect.poll(() => outOfSight(page, [openRow])).toEqual([]);
+    await expect.poll(() => page.textContent(`${openRow} .name`)).toBe("Scene 8 · view 3");
   });
 
   it("is in sight in a group that was folded", async () => {
     const { page } = await openReport(browser, reportFolder("many"), `${hashOfItem("many", 9, 9, 4)}&group=scene&folded=true&sort=order&ascending=true`, { viewport: { width: 1440, height: 900 } });
     await page.waitForSelector(openRow);
-    await expect.poll(() => outOfSight(page, [openRow]), { timeout: 10000 }).toEqual([]);
-    expect(await page.getAttribute(".list", "aria-rowcount")).toBe(String(1 + 10 + 50)); // the other groups stay folded
+    await expect.poll(() => outOfSight(page, [openRow])).toEqual([]);
+    await expect.poll(() => page.getAttribute(".list", "aria-rowcount")).toBe(String(1 + 10 + 50)); // the other groups stay folded
   });
 });

@@ -47,9 +47,9 @@ describe("the page", () => {
       await page.waitForSelector(".inspector tbody tr");
       await page.waitForSelector("parity-pane canvas");
     }
-    for (const key of ["t", "n"]) {
+    for (const [key, what] of [["t", "parity-term-image canvas:not([width='1'])"], ["n", "parity-numbers table"]] as const) {
       await page.keyboard.press(key);
-      await page.waitForTimeout(500);
+      await page.waitForSelector(what);
     }
     expect(problems).toEqual([]);
   });

@@ -4,7 +4,7 @@ import { basename, join } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, describe, expect, it } from "vitest";
 
-import { changedReport, closePages, hashOfItem, openReport, readReport, realProblems, removeChanged, reportFolder, startBrowser } from "./browser";
+import { changedReport, closePages, hashOfItem, openReport, readReport, realProblems, removeChanged, reportFolder, settle, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -18,7 +18,7 @@ describe("the details of a scene", () => {
   it("are not asked for by the list", async () => {
     const opened = await openReport(browser, reportFolder("many"));
     await opened.page.waitForSelector(".list .row");
-    await opened.page.waitForTimeout(300);
+    await settle(opened.page);
     expect(scenesOf(opened.requests)).toEqual([]);
   });
 
@@ -30,7 +30,8 @@ describe("the details of a scene", () => {
     await expect.poll(() => opened.page.textContent("parity-item .item-head .place")).toContain("Scene 5");
     await opened.page.waitForSelector("parity-item .checks");
     await opened.page.keyboard.press("ArrowUp");
-    await opened.page.waitForTimeout(300);
+    await expect.poll(() => opened.page.textContent("parity-item .item-head .place")).toContain("Scene 4");
+    await settle(opened.page);
     expect(scenesOf(opened.requests).sort()).toEqual(["3.js", "4.js"]);
     expect(opened.problems).toEqual([]);
   });
@@ -45,7 +46,7 @@ describe("the details of a scene", () => {
   it("say the time of the scene", async () => {
     const { page } = await openReport(browser, reportFolder("real"), `${hashOfItem("real")}&tab=numbers`);
     await page.waitForSelector("parity-numbers");
-    expect(await page.innerText("parity-numbers")).toMatch(/Time of this scene\s+[\d.]+ s/);
+    await expect.poll(() => page.innerText("parity-numbers")).toMatch(/Time of this scene\s+[\d.]+ s/);
   });
 
   it("that are missing, damaged or another report's leave the list and the head of the item, and say so", async () => {
@@ -64,7 +65,7 @@ describe("the details of a scene", () => {
       const opened = await openReport(browser, folder, hashOfItem("many"));
       await opened.page.waitForSelector("parity-item .notice.error");
       expect(await notice(opened.page), what).toMatch(words);
-      expect(await opened.page.textContent("#item-title"), what).toContain("Material 1");
+      await expect.poll(() => opened.page.textContent("#item-title"), { message: what }).toContain("Material 1");
       await opened.page.keyboard.press("Escape");
       await opened.page.waitForSelector(".list .row");
       if (what !== "damaged") expect(realProblems(opened), what).toEqual([]);

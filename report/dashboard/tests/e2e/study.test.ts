@@ -6,7 +6,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import type { Nights } from "../../src/data/history";
 import { makeNights, nightsPage } from "../make_nights";
-import { openReport, reportFolder, startBrowser } from "./browser";
+import { openReport, reportFolder, settle, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -20,7 +20,7 @@ describe.each(["sweep", "stress"])("the page of a %s", (name) => {
     const { page, problems, requests } = await openReport(browser, reportFolder(name));
     expect(await page.evaluate(() => (window as unknown as { broken?: number }).broken)).toBeUndefined();
     expect(await page.locator("img").count()).toBe(0);
-    expect(await page.innerText("parity-study")).toContain("<img src=x");
+    await expect.poll(() => page.innerText("parity-study")).toContain("<img src=x");
     expect(await page.innerText("parity-study")).not.toMatch(/undefined|\[object/);
     expect(requests.length).toBe(1);
     expect(problems).toEqual([]);
@@ -30,26 +30,26 @@ describe.each(["sweep", "stress"])("the page of a %s", (name) => {
   it("changes its colours by a key, and prints without controls but with the heads of its tables", async () => {
     const { page } = await openReport(browser, reportFolder(name));
     await page.keyboard.press("l");
-    expect(await page.getAttribute("html", "data-theme")).toBe("dark");
+    await expect.poll(() => page.getAttribute("html", "data-theme")).toBe("dark");
     await page.emulateMedia({ media: "print" });
     expect(await page.isVisible(".head-buttons")).toBe(false);
-    expect(await page.isVisible("parity-table thead .sort >> nth=0")).toBe(true);
+    await expect.poll(() => page.isVisible("parity-table thead .sort >> nth=0")).toBe(true);
   });
 });
 
 describe("a sweep", () => {
   it("shows pictures against the truth and the high-end default, of preparation, and tables of each stage", async () => {
     const { page } = await openReport(browser, reportFolder("sweep"));
-    expect(await page.locator("parity-pareto svg").count()).toBe(2 * 3 - 2 + 2 * 0 + 1 + 1);
+    await expect.poll(() => page.locator("parity-pareto svg").count()).toBe(2 * 3 - 2 + 2 * 0 + 1 + 1);
     for (const label of ["Settings, shading", "Settings, preparation", "Settings, storage", "Error saved by a millisecond", "Fastest settings within the budget", "Comparison with the earlier sweep"])
-      expect(await page.locator(`[aria-label="${label}"]`).count(), label).toBeGreaterThan(0);
-    expect(await page.textContent(".notice.error")).toContain("<img");
-    expect(await page.textContent('[aria-label="Comparison with the earlier sweep"]')).toContain("slower");
+      await expect.poll(() => page.locator(`[aria-label="${label}"]`).count(), { message: label }).toBeGreaterThan(0);
+    await expect.poll(() => page.textContent(".notice.error")).toContain("<img");
+    await expect.poll(() => page.textContent('[aria-label="Comparison with the earlier sweep"]')).toContain("slower");
   });
 
   it("says which settings are on the front of their path", async () => {
     const { page } = await openReport(browser, reportFolder("sweep"));
-    expect(await page.locator("h3", { hasText: "Settings of each path: shading" }).count()).toBeGreaterThan(0);
+    await expect.poll(() => page.locator("h3", { hasText: "Settings of each path: shading" }).count()).toBeGreaterThan(0);
     const rows = page.locator('[aria-label="Settings, shading"]').first().locator("tbody tr");
     for (const text of await rows.locator("th").allTextContents()) expect(text).toMatch(/(dominated|on the front)$/);
   });
@@ -71,26 +71,26 @@ describe("a sweep", () => {
     const { page } = await openReport(browser, reportFolder("sweep"));
     const picture = page.locator("parity-pareto").first();
     await picture.locator("circle.dot.path-1").last().hover({ force: true });
-    expect(await picture.locator(".plot-hover").textContent()).toMatch(/mobile: .* ms, 0\.\d+/);
+    await expect.poll(() => picture.locator(".plot-hover").textContent()).toMatch(/mobile: .* ms, 0\.\d+/);
     await picture.locator("input").nth(1).uncheck();
     expect(await picture.locator("circle.dot.path-1").first().isVisible()).toBe(false);
-    expect(await picture.locator("circle.dot.path-0").first().isVisible()).toBe(true);
+    await expect.poll(() => picture.locator("circle.dot.path-0").first().isVisible()).toBe(true);
   });
 });
 
 describe("a stress run", () => {
   it("shows what is new with its command, what is known, maps, functions and scenes", async () => {
     const { page } = await openReport(browser, reportFolder("stress"));
-    expect(await page.textContent("h1")).toMatch(/fail.*6 unexpected, 1 expected finding/s);
-    expect(await page.locator(".finding .command code").first().textContent()).toContain("parity stress --");
+    await expect.poll(() => page.textContent("h1")).toMatch(/fail.*6 unexpected, 1 expected finding/s);
+    await expect.poll(() => page.locator(".finding .command code").first().textContent()).toContain("parity stress --");
     expect(await namesIn(page, "Known findings")).toEqual(["scene"]);
     expect(await namesIn(page, "Functions")).toContain("planted");
-    expect(await page.textContent('[aria-label="Functions"]')).toContain("skipped: a device without shaderFloat16");
-    expect(await page.textContent('[aria-label="Scenes"]')).toContain("✓, 1 expected");
+    await expect.poll(() => page.textContent('[aria-label="Functions"]')).toContain("skipped: a device without shaderFloat16");
+    await expect.poll(() => page.textContent('[aria-label="Scenes"]')).toContain("✓, 1 expected");
     const painted = page.locator('canvas[aria-label="planted, cpu fp16"]');
     expect(await painted.evaluate((canvas: HTMLCanvasElement) => canvas.getContext("2d")!.getImageData(12, 2, 1, 1).data[3])).toBe(255);
     await painted.hover();
-    expect(await page.locator(".map-x", { hasText: ":" }).textContent()).toMatch(/^0\.\d\d, 0\.\d\d: /);
+    await expect.poll(() => page.locator(".map-x", { hasText: ":" }).textContent()).toMatch(/^0\.\d\d, 0\.\d\d: /);
   });
 });
 
@@ -118,27 +118,28 @@ describe("nightly runs", () => {
 
   it("show charts, the last night, its changes with causes, and lead to a row and back", async () => {
     const { page, problems, requests } = await openReport(browser, folderOf(evilNights()));
-    expect(await page.textContent("h1")).toMatch(/nightly, main: 400 nights; last: 1 new failure, \d+ failing/);
-    expect(await page.locator("parity-night-chart canvas").count()).toBe(3);
-    expect(await page.locator('[aria-label="Nights"] tbody tr').count()).toBe(30);
+    await expect.poll(() => page.textContent("h1")).toMatch(/nightly, main: 400 nights; last: 1 new failure, \d+ failing/);
+    await expect.poll(() => page.locator("parity-night-chart canvas").count()).toBe(3);
+    await expect.poll(() => page.locator('[aria-label="Nights"] tbody tr').count()).toBe(30);
     await page.click("text=Show all 400");
-    expect(await page.locator('[aria-label="Nights"] tbody tr').count()).toBe(400);
+    await expect.poll(() => page.locator('[aria-label="Nights"] tbody tr').count()).toBe(400);
 
     const changes = page.locator('[aria-label="Changes of the night"] tbody tr');
-    expect(await changes.first().innerText()).toMatch(/<img src=x.*regressed.*flip\.mean 0\.1763 → 0\.2 worse.*10 figures.*<img/s);
-    expect(await page.textContent("parity-night")).toMatch(/And \d+ more, which this page does not list/);
+    await expect.poll(() => changes.first().innerText()).toMatch(/<img src=x.*regressed.*flip\.mean 0\.1763 → 0\.2 worse.*10 figures.*<img/s);
+    await expect.poll(() => page.textContent("parity-night")).toMatch(/And \d+ more, which this page does not list/);
     await page.click(".chip.kind-regressed");
-    expect(await changes.count()).toBe(1);
+    await expect.poll(() => changes.count()).toBe(1);
     await changes.first().locator("a").click();
     await page.waitForSelector("parity-night-row parity-run-chart canvas");
-    expect(await page.textContent("parity-night-row h3")).toContain("<img src=x");
+    await expect.poll(() => page.textContent("parity-night-row h3")).toContain("<img src=x");
     expect(new URL(page.url()).hash).toMatch(/^#night=.*&row=/);
     await page.selectOption("parity-night-row select", "flip.p95");
     expect(new URL(page.url()).hash).toMatch(/&figure=flip\.p95$/);
     await page.reload();
     await page.waitForSelector("parity-night-row parity-run-chart canvas");
-    expect(await page.inputValue("parity-night-row select")).toBe("flip.p95");
+    await expect.poll(() => page.inputValue("parity-night-row select")).toBe("flip.p95");
 
+    await page.waitForFunction(() => document.activeElement?.matches("parity-night-row h3")); // it takes the focus a frame later
     await page.keyboard.press("/");
     await page.keyboard.type("chrome 003");
     for (const name of await page.locator(".night-row-list a").allTextContents()) expect(name).toMatch(/003.*Chrome/);
@@ -150,15 +151,19 @@ describe("nightly runs", () => {
 
   it("choose the night that is clicked, and are no wider than a phone", async () => {
     const { page, problems } = await openReport(browser, folderOf(makeNights(400, 500, 0.01)), "", { viewport: { width: 390, height: 800 } });
+    await settle(page);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
     const before = await page.textContent("parity-night h2");
+    const readouts = (): Promise<string[]> => page.locator(".night-readout").allTextContents();
+    const last = await readouts();
     const box = (await page.locator("parity-night-chart .u-over").first().boundingBox())!;
     await page.mouse.move(box.x + box.width / 2, box.y + 20);
-    const pointed = await page.locator(".night-readout").allTextContents();
+    await expect.poll(readouts).not.toEqual(last);
+    const pointed = await readouts();
     expect(new Set(pointed.map((each) => each.slice(0, 10))).size, "one cursor for all charts").toBe(1);
     await page.mouse.click(box.x + box.width / 2, box.y + 20);
     await page.waitForFunction((text) => document.querySelector("parity-night h2")?.textContent !== text, before);
-    expect(await page.textContent("parity-night h2")).toContain(pointed[0]!.slice(0, 10));
+    await expect.poll(() => page.textContent("parity-night h2")).toContain(pointed[0]!.slice(0, 10));
     expect(problems).toEqual([]);
   });
 

@@ -5,7 +5,7 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 
 import { checkChunk, decodePlane } from "../../src/data/chunk";
 import type { Report } from "../../src/data/types";
-import { closePages, hashOfItem, openReport, readReport, reportFolder, startBrowser } from "./browser";
+import { closePages, hashOfItem, openReport, readReport, reportFolder, settle, startBrowser } from "./browser";
 
 let browser: Browser;
 beforeAll(async () => (browser = await startBrowser()));
@@ -14,13 +14,19 @@ afterAll(async () => browser.close());
 const hashOf = (page: Page): URLSearchParams => new URLSearchParams(new URL(page.url()).hash.slice(1));
 // The page writes its state into the URL some time after a key or a click: later on a busy machine.
 const waitForState = (page: Page, key: string, value: string | null): Promise<void> =>
-  expect.poll(() => hashOf(page).get(key), { timeout: 10000 }).toBe(value);
+  expect.poll(() => hashOf(page).get(key)).toBe(value);
 const pressedMode = (page: Page): Promise<string | null> => page.textContent(".modes button[aria-pressed=true]");
 
 async function openItem(report: string, hash = ""): Promise<{ page: Page; problems: string[]; requests: string[] }> {
   const opened = await openReport(browser, reportFolder(report), hashOfItem(report) + hash);
   await opened.page.waitForSelector("parity-pane .world");
   return opened;
+}
+
+/** The values of the view have come: what is not the item's material is covered, and the view fits the material. */
+async function waitForValues(page: Page): Promise<void> {
+  await page.waitForSelector("parity-picture.cover");
+  await settle(page);
 }
 
 /** Mode buttons follow the state at once, the URL a moment later. */
@@ -82,17 +88,17 @@ describe("the comparison", () => {
   it("moves all panes together by wheel, drag and keys, and comes back by 0", async () => {
     const { page } = await openItem("real");
     const places = (): Promise<string[]> => page.locator("parity-pane .world").evaluateAll((all) => all.map((each) => (each as HTMLElement).style.transform));
-    await page.waitForTimeout(600); // the material's bounds have been found
+    await waitForValues(page);
     const before = await places();
     const box = await page.locator("parity-pane .stage").first().boundingBox();
     if (!box) throw new Error("a pane");
     await page.mouse.move(box.x + box.width / 3, box.y + box.height / 3);
     await page.mouse.wheel(0, -400);
-    await expect.poll(async () => (await places())[0], { timeout: 10000 }).not.toBe(before[0]);
+    await expect.poll(async () => (await places())[0]).not.toBe(before[0]);
     await page.mouse.down();
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2, { steps: 4 });
     await page.mouse.up();
-    await page.waitForTimeout(300);
+    await settle(page);
     const moved = await places();
     expect(moved.length).toBe(3);
     expect(new Set(moved).size).toBe(1);
@@ -100,18 +106,18 @@ describe("the comparison", () => {
     expect(Number(hashOf(page).get("zoom"))).toBeGreaterThan(1);
     await page.mouse.move(5, 5);
     await page.keyboard.press("0");
-    await expect.poll(places, { timeout: 10000 }).toEqual(before);
+    await expect.poll(places).toEqual(before);
   });
 
   it("exposes both pictures from their unclipped values", async () => {
     const { page } = await openItem("real");
     const shot = (): Promise<Buffer> => page.locator("parity-pane .stage").first().screenshot();
-    await page.waitForTimeout(600);
+    await waitForValues(page);
     const before = await shot();
     for (let i = 0; i < 8; ++i) await page.keyboard.press("[");
     await waitForState(page, "exposure", "-2");
-    expect(await page.textContent("output[for=viewer-exposure]")).toContain("2");
-    expect((await shot()).equals(before)).toBe(false);
+    await expect.poll(() => page.textContent("output[for=viewer-exposure]")).toContain("2");
+    await expect.poll(async () => (await shot()).equals(before)).toBe(false);
     await page.keyboard.press("0");
     await waitForState(page, "exposure", null);
   });
@@ -133,16 +139,18 @@ describe("the comparison", () => {
 describe("what is painted from values", () => {
   it("is there again when the same is asked for again", async () => {
     const { page } = await openItem("real");
-    await page.waitForTimeout(600);
+    await waitForValues(page);
     const shot = (): Promise<Buffer> => page.locator("parity-pane .stage").first().screenshot();
+    const isAs = (picture: Buffer) => async (): Promise<boolean> => (await shot()).equals(picture);
+    const plain = await shot();
     await page.keyboard.press("]");
-    await page.waitForTimeout(500);
+    await expect.poll(isAs(plain)).toBe(false);
+    await settle(page);
     const first = await shot();
     await page.keyboard.press("[");
-    await page.waitForTimeout(500);
+    await expect.poll(isAs(plain)).toBe(true);
     await page.keyboard.press("]");
-    await page.waitForTimeout(500);
-    expect((await shot()).equals(first)).toBe(true);
+    await expect.poll(isAs(first)).toBe(true);
   });
 });
 
@@ -156,7 +164,7 @@ describe("a pixel's values", () => {
     const expected = { "High-end": await pixelsOf(pngOf(images.reference), places), Mobile: await pixelsOf(pngOf(images.test), places) };
     for (const [i, [x, y]] of places.entries()) {
       const { page } = await openItem("single", `&pixelX=${x}&pixelY=${y}`);
-      await page.waitForSelector(".inspector tbody tr");
+      await page.waitForFunction(() => /\d/.test(document.querySelector(".inspector tbody tr td:last-child")?.textContent ?? ""));
       for (const name of ["High-end", "Mobile"] as const) {
         const values = await page.locator(`.inspector tbody tr:has(th:has-text("${name}")) td:last-child span`).allTextContents();
         expect(values.map(Number), `${name} at ${x}, ${y}`).toEqual(expected[name][i]);
@@ -183,15 +191,15 @@ describe("a pixel's values", () => {
 
   it("are pinned by a click, moved by arrow keys, and hold the terms of both paths", async () => {
     const { page, problems } = await openItem("real");
-    await page.waitForTimeout(600);
+    await waitForValues(page);
     await page.locator("parity-pane .stage").first().click({ position: { x: 150, y: 150 } });
-    await expect.poll(() => hashOf(page).get("pixelX"), { timeout: 10000 }).not.toBeNull();
+    await expect.poll(() => hashOf(page).get("pixelX")).not.toBeNull();
     const x = Number(hashOf(page).get("pixelX"));
     await page.keyboard.press("ArrowRight");
     await waitForState(page, "pixelX", String(x + 1));
     await page.click(".inspector summary");
     await page.waitForSelector(".inspector details tbody tr");
-    expect(await page.textContent(".inspector details")).toMatch(/reflections of the environment/);
+    await expect.poll(() => page.textContent(".inspector details")).toMatch(/reflections of the environment/);
     expect(problems).toEqual([]);
   });
 });
@@ -216,8 +224,8 @@ describe("FLIP", () => {
     for (const [place, plane] of [[material[at]! - 1, own], [-1, whole]] as const) {
       const { page } = await openReport(browser, reportFolder("real"), `${hashOfItem("real", place, 1)}&pixelX=${x}&pixelY=${y}&mode=flip`);
       const expected = (plane[at]! / 65535).toFixed(3);
-      await expect.poll(() => page.textContent(".pixel-head"), { timeout: 10000 }).toMatch(new RegExp(`FLIP\\s+${expected}`));
-      expect(await page.locator("parity-pane .note").allTextContents()).toEqual(place < 0 ? [] : ["by material"]);
+      await expect.poll(() => page.textContent(".pixel-head")).toMatch(new RegExp(`FLIP\\s+${expected}`));
+      await expect.poll(() => page.locator("parity-pane .note").allTextContents()).toEqual(place < 0 ? [] : ["by material"]);
       await page.waitForFunction(() => document.querySelector(".histogram p.aside")?.textContent?.includes("pixels"));
       const counted = material.reduce((sum, each) => sum + Number(place < 0 ? each !== 0 : each === place + 1), 0);
       const mean = plane.reduce((sum, value, i) => sum + ((place < 0 ? material[i] !== 0 : material[i] === place + 1) ? value : 0), 0) / counted / 65535;
@@ -235,8 +243,8 @@ describe("a report of some materials only", () => {
     expect(report.scenes[0]!.views[0]!.materials.map((each) => each.name)).toEqual(["gold"]);
     const flipAt = async (x: number, y: number): Promise<string> => {
       const { page } = await openItem("restricted", `&pixelX=${x}&pixelY=${y}`);
-      await page.waitForSelector(".inspector tbody tr");
-      await page.waitForTimeout(300);
+      await page.waitForFunction(() => /\d/.test(document.querySelector(".inspector tbody tr td:last-child")?.textContent ?? ""));
+      await settle(page);
       const text = (await page.textContent(".pixel-head")) ?? "";
       await closePages();
       return /FLIP\s+(\S+)/.exec(text)?.[1] ?? "";
@@ -251,7 +259,7 @@ describe("terms and numbers", () => {
     const { page, problems } = await openItem("real", "&tab=compare");
     await page.keyboard.press("t");
     await page.waitForSelector("table.attribution tbody tr");
-    expect(await page.textContent("table.attribution tbody tr:first-child")).toContain("none");
+    await expect.poll(() => page.textContent("table.attribution tbody tr:first-child")).toContain("none");
     await page.waitForFunction(() => document.querySelectorAll("parity-term-image canvas").length >= 2);
     await page.click(".term h4 a >> nth=0");
     await page.waitForSelector("parity-viewer");
@@ -262,16 +270,17 @@ describe("terms and numbers", () => {
   it("give the command that shows one material again", async () => {
     const { page } = await openItem("real", "&tab=compare");
     await page.keyboard.press("n");
+    await page.waitForSelector(".command code");
     const commands = await page.locator(".command code").allTextContents();
     expect(commands.some((each) => each.includes(" diff builtin:materials") && each.includes("--material"))).toBe(true);
-    expect(await page.textContent("parity-numbers")).toMatch(/skipped/i);
-    expect(await page.textContent("parity-numbers")).toContain("does not have the scene materials");
+    await expect.poll(() => page.textContent("parity-numbers")).toMatch(/skipped/i);
+    await expect.poll(() => page.textContent("parity-numbers")).toContain("does not have the scene materials");
   });
 
   it("plot the bench of the scene that is shown", async () => {
     const { page, problems } = await openReport(browser, reportFolder("real"), `${hashOfItem("real", 5, 1)}&tab=numbers`);
     await page.waitForSelector("parity-pareto svg .dot");
-    expect(await page.getAttribute("parity-pareto svg", "aria-label")).toContain("2 settings");
+    await expect.poll(() => page.getAttribute("parity-pareto svg", "aria-label")).toContain("2 settings");
     await page.goto(`${page.url().split("#")[0]}${hashOfItem("real", 5)}&tab=numbers`);
     await page.waitForSelector("parity-pareto svg", { state: "detached" });
     expect(problems).toEqual([]);
