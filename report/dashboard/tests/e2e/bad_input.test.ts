@@ -22,7 +22,7 @@ describe("names that try to break out", () => {
     for (let top = 0; top < 6000; top += 400) {
       await page.evaluate(async (at) => {
         (document.querySelector(".list-scroll") as HTMLElement).scrollTo(0, at);
-        await new Promise((done) => requestAnimationFrame(done)); // the frame's event of the scrolling, which draws the rows, is before
+        await new Promise((done) => requestAnimationFrame(done)); // after the event of the scrolling, which draws the rows
       }, top);
       for (const name of await page.locator(".list .row .name").allTextContents()) names.add(name);
     }

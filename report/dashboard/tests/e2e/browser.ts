@@ -145,7 +145,9 @@ export async function settle(page: Page): Promise<void> {
       return `${pictures + values} ${root.scrollWidth} ${root.scrollHeight} ${root.outerHTML}`;
     };
     let before = "";
+    const end = performance.now() + 40_000;
     for (let same = 0; same < 2; ) {
+      if (performance.now() > end) throw new Error("the page does not settle: it changes, or loads, for 40 s");
       await new Promise((done) => setTimeout(done, 50));
       await new Promise((done) => requestAnimationFrame(done));
       const now = look();

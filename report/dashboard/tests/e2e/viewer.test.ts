@@ -103,7 +103,7 @@ describe("the comparison", () => {
     expect(moved.length).toBe(3);
     expect(new Set(moved).size).toBe(1);
     expect(moved[0]).not.toBe(before[0]);
-    expect(Number(hashOf(page).get("zoom"))).toBeGreaterThan(1);
+    await expect.poll(() => Number(hashOf(page).get("zoom"))).toBeGreaterThan(1);
     await page.mouse.move(5, 5);
     await page.keyboard.press("0");
     await expect.poll(places).toEqual(before);
@@ -125,7 +125,7 @@ describe("the comparison", () => {
   it("says how many pixels a threshold leaves, fewer the higher it is", async () => {
     const share = async (threshold: number): Promise<number> => {
       const { page } = await openItem("real", `&mode=flip&threshold=${threshold}`);
-      await page.waitForFunction(() => document.querySelector("output[for=viewer-threshold]")?.textContent?.includes("%"));
+      await waitForValues(page); // until then it is the share of all pixels
       const text = (await page.textContent("output[for=viewer-threshold]")) ?? "";
       await closePages();
       return Number(/([\d.]+) %/.exec(text)?.[1]);
@@ -164,10 +164,9 @@ describe("a pixel's values", () => {
     const expected = { "High-end": await pixelsOf(pngOf(images.reference), places), Mobile: await pixelsOf(pngOf(images.test), places) };
     for (const [i, [x, y]] of places.entries()) {
       const { page } = await openItem("single", `&pixelX=${x}&pixelY=${y}`);
-      await page.waitForFunction(() => /\d/.test(document.querySelector(".inspector tbody tr td:last-child")?.textContent ?? ""));
       for (const name of ["High-end", "Mobile"] as const) {
-        const values = await page.locator(`.inspector tbody tr:has(th:has-text("${name}")) td:last-child span`).allTextContents();
-        expect(values.map(Number), `${name} at ${x}, ${y}`).toEqual(expected[name][i]);
+        const values = page.locator(`.inspector tbody tr:has(th:has-text("${name}")) td:last-child span`);
+        await expect.poll(async () => (await values.allTextContents()).map(Number), { message: `${name} at ${x}, ${y}` }).toEqual(expected[name][i]);
       }
       await closePages();
     }
@@ -182,8 +181,9 @@ describe("a pixel's values", () => {
     const expected = await pixelsOf(png, places);
     for (const [i, [x, y]] of places.entries()) {
       const { page } = await openItem("real", `&pixelX=${x}&pixelY=${y}`);
-      await page.waitForFunction(() => /\d/.test(document.querySelector(".inspector tbody tr td:last-child")?.textContent ?? ""));
-      const values = (await page.locator(".inspector tbody tr:has(th:has-text('High-end')) td:last-child span").allTextContents()).map(Number);
+      const spans = page.locator(".inspector tbody tr:has(th:has-text('High-end')) td:last-child span");
+      await spans.first().waitFor();
+      const values = (await spans.allTextContents()).map(Number);
       values.forEach((value, channel) => expect(Math.abs(value - expected[i]![channel]!)).toBeLessThanOrEqual(2));
       await closePages();
     }
@@ -226,12 +226,11 @@ describe("FLIP", () => {
       const expected = (plane[at]! / 65535).toFixed(3);
       await expect.poll(() => page.textContent(".pixel-head")).toMatch(new RegExp(`FLIP\\s+${expected}`));
       await expect.poll(() => page.locator("parity-pane .note").allTextContents()).toEqual(place < 0 ? [] : ["by material"]);
-      await page.waitForFunction(() => document.querySelector(".histogram p.aside")?.textContent?.includes("pixels"));
       const counted = material.reduce((sum, each) => sum + Number(place < 0 ? each !== 0 : each === place + 1), 0);
       const mean = plane.reduce((sum, value, i) => sum + ((place < 0 ? material[i] !== 0 : material[i] === place + 1) ? value : 0), 0) / counted / 65535;
-      const text = (await page.textContent(".histogram p.aside")) ?? "";
-      expect(text).toContain(`${counted.toLocaleString("en-US")} pixels`);
-      expect(text).toContain(`mean ${mean.toFixed(3)}`);
+      const text = (): Promise<string | null> => page.textContent(".histogram p.aside");
+      await expect.poll(text).toContain(`${counted.toLocaleString("en-US")} pixels`);
+      expect(await text()).toContain(`mean ${mean.toFixed(3)}`);
       await closePages();
     }
   });
@@ -243,8 +242,7 @@ describe("a report of some materials only", () => {
     expect(report.scenes[0]!.views[0]!.materials.map((each) => each.name)).toEqual(["gold"]);
     const flipAt = async (x: number, y: number): Promise<string> => {
       const { page } = await openItem("restricted", `&pixelX=${x}&pixelY=${y}`);
-      await page.waitForFunction(() => /\d/.test(document.querySelector(".inspector tbody tr td:last-child")?.textContent ?? ""));
-      await settle(page);
+      await waitForValues(page);
       const text = (await page.textContent(".pixel-head")) ?? "";
       await closePages();
       return /FLIP\s+(\S+)/.exec(text)?.[1] ?? "";
