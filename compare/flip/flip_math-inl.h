@@ -53,7 +53,7 @@ template <class D, class T> HWY_INLINE T fastReciprocal(D d, const T& x) {
 template <class D, class T> HWY_INLINE T fastCbrt(D d, const T& x) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
-  // 0x54a2fa8c less a third of the bits. A float holds the bits to 2^-24: far below the 3.5 %. The result lies within
+  // 0x54a2f68c less a third of the bits. A float holds the bits to 2^-24: far below the 3.5 %. The result lies within
   // 2^25 of 2^30, where floats are multiples of 64. A 64th of it, less 2^24, is the last bits of 1.5 * 2^23 and that.
   T y = each(
       [d, di](V v) HWY_ATTR {
@@ -102,7 +102,7 @@ template <class D, class T> HWY_INLINE T fastLog2(D d, const T& x) {
 template <class D, class T> HWY_INLINE T fastExp2(D d, const T& x) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
-  // Of 1.5 * 2^23 + x the last bits are the nearest integer, and its negative as two's complement.
+  // The last bits of 1.5 * 2^23 + x are the nearest integer, a negative one as two's complement.
   const V shift = hn::Set(d, 12582912.f);
   const T shifted = each([shift](V v) HWY_ATTR { return hn::Add(v, shift); }, x);
   const T f = each([shift](V v, V n) HWY_ATTR { return hn::Sub(v, hn::Sub(n, shift)); }, x, shifted);

@@ -23,6 +23,7 @@ struct Statistic {
 
 // Parses a figure's name against the registry (compare/metrics/metric.h). "flip.fraction_over(0.10)" is canonicalised
 // to "flip.fraction_over(0.1)". Null for a name that is not known.
+// Those of the registry are not copied: they stay as long as the program.
 std::shared_ptr<const Statistic> statisticByName(std::string_view name);
 
 // Whether any value of the figure's range could be beyond the limit. One that none could be can never trip: a check

@@ -1,5 +1,7 @@
 // What FLIP is made of, each against the standard library or its definition: roots and powers, decoding, filters.
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
@@ -107,6 +109,48 @@ TEST_P(FlipDecoding, BytesAndTheirFloatsAreDecodedToTheSameBits) {
   decodeRow(RowDecoder{}, floats.pixels.data(), 3, 300, {b.data(), b.data() + 400, b.data() + 800});
   for (std::size_t i = 0; i < 300; ++i)
     for (std::size_t p = 0; p < 3; ++p) ASSERT_EQ(a[400 * p + i], b[400 * p + i]) << i;
+}
+
+// Each row has its own memory, which a sanitizer guards. Only a row that is shorter than a vector is written beyond its
+// end, by less than a vector.
+TEST_P(FlipDecoding, RowsOfEveryLengthStayWithinTheirMemory) {
+  constexpr std::size_t kBefore = 16, kMark = 48; // where a plane begins, and where it must not be written
+  const auto check = [&](const auto& pixels, std::size_t channels, const auto& decode) {
+    std::vector<float> whole(3 * 128);
+    decode(pixels.data(), static_cast<int>(channels), 64,
+           ColorPlanes{whole.data(), whole.data() + 128, whole.data() + 256});
+    for (std::size_t count = 1; count <= 64; ++count) {
+      const std::vector row(pixels.begin(), pixels.begin() + static_cast<std::ptrdiff_t>(count * channels));
+      std::vector<float> planes[3];
+      for (auto& plane : planes) plane.assign(kBefore + count + kMark, -7.f);
+      decode(row.data(), static_cast<int>(channels), static_cast<int>(count),
+             ColorPlanes{planes[0].data() + kBefore, planes[1].data() + kBefore, planes[2].data() + kBefore});
+      for (std::size_t p = 0; p < 3; ++p)
+        for (std::size_t i = 0; i < planes[p].size(); ++i) {
+          const bool isPixel = i >= kBefore && i < kBefore + count;
+          if (isPixel || i < kBefore || count >= kBefore || i >= kBefore + 16)
+            ASSERT_EQ(planes[p][i], isPixel ? whole[128 * p + i - kBefore] : -7.f)
+                << "column " << i << " - 16 of " << count << ", " << channels << " channels";
+        }
+    }
+  };
+  for (const std::size_t channels : {3u, 4u}) {
+    std::vector<std::uint8_t> bytes(64 * channels);
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * 37 + 11);
+    check(bytes, channels, [](const std::uint8_t* from, int each, int count, const ColorPlanes& out) {
+      decodeRow(from, each, count, out);
+    });
+    const std::vector<float> floats = [&] {
+      std::vector<float> values(bytes.size());
+      std::ranges::transform(bytes, values.begin(), [](std::uint8_t byte) { return static_cast<float>(byte) / 255.f; });
+      return values;
+    }();
+    for (const RowDecoder& decoder : {RowDecoder{}, RowDecoder{.decoding = Decoding::linear},
+                                      makeRowDecoder(Tonemapper::aces), makeRowDecoder(Tonemapper::reinhard)})
+      check(floats, channels, [&](const float* from, int each, int count, const ColorPlanes& out) {
+        decodeRow(decoder, from, each, count, out);
+      });
+  }
 }
 
 TEST_P(FlipDecoding, ToneCurvesAreTheDefinitions) {
