@@ -54,7 +54,8 @@ template <class D, class T> HWY_INLINE T fastCbrt(D d, const T& x) {
   using V = hn::Vec<D>;
   const hn::RebindToSigned<D> di;
   // 0x54a2f68c less a third of the bits. A float holds the bits to 2^-24: far below the 3.5 %. The result lies within
-  // 2^25 of 2^30, where floats are multiples of 64. A 64th of it, less 2^24, is the last bits of 1.5 * 2^23 and that.
+  // 2^25 of 2^30, where floats are multiples of 64. It is converted to an integer exactly: a 64th of it, less 2^24, is
+  // added to 1.5 * 2^23, whose last bits hold the sum.
   T y = each(
       [d, di](V v) HWY_ATTR {
         const V bits = hn::ConvertTo(d, hn::BitCast(di, v));
