@@ -31,14 +31,16 @@ void composite(float* plane, std::size_t firstPixel, const Surface& surface, con
 
 } // namespace
 
-FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, std::size_t terms,
+FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, const std::vector<char>& terms,
                            const glm::vec3& background, const std::optional<TargetCodec>& target)
     : m_samples(samples), m_background(target ? target->store(target->write(background)) : background),
       m_target(target) {
   const int w = static_cast<int>(width), h = static_cast<int>(height);
   m_frame.color = base::Image(w, h, 3);
-  m_frame.terms.resize(terms);
-  base::parallelFor(terms, 1, [&](std::size_t t, std::size_t) { m_frame.terms[t] = base::Image(w, h, 3); });
+  m_frame.terms.resize(terms.size());
+  base::parallelFor(terms.size(), 1, [&](std::size_t t, std::size_t) {
+    if (terms[t] != 0) m_frame.terms[t] = base::Image(w, h, 3);
+  });
 }
 
 float* FrameBuilder::planeAt(std::size_t plane) {
@@ -52,7 +54,8 @@ void FrameBuilder::begin(const Tile& tile) {
   const std::size_t count = std::size_t{tile.rows} * static_cast<std::size_t>(m_frame.color.width);
   if (m_samples > 1) {
     m_sample.resize(1 + m_frame.terms.size());
-    for (std::vector<float>& plane : m_sample) plane.assign(count * 3, 0.f);
+    for (std::size_t plane = 0; plane < m_sample.size(); ++plane)
+      if (plane == 0 || isComposed(plane - 1)) m_sample[plane].assign(count * 3, 0.f);
   }
   float* color = planeAt(0);
   for (std::size_t p = 0; p < count; ++p)
@@ -69,12 +72,13 @@ void FrameBuilder::lay(const Surface& surface, const ShadedSurface& shaded) {
   };
   composite(planeAt(0), firstPixel, surface, shaded.color, weightsOf, m_target ? &*m_target : nullptr);
   for (std::size_t t = 0; t < m_frame.terms.size(); ++t)
-    composite(planeAt(t + 1), firstPixel, surface, shaded.terms[t], weightsOf, nullptr);
+    if (isComposed(t)) composite(planeAt(t + 1), firstPixel, surface, shaded.terms[t], weightsOf, nullptr);
 }
 
 void FrameBuilder::end() {
   if (m_samples == 1) return;
   for (std::size_t plane = 0; plane < m_sample.size(); ++plane) {
+    if (plane > 0 && !isComposed(plane - 1)) continue;
     base::Image& sum = plane == 0 ? m_frame.color : m_frame.terms[plane - 1];
     float* out = sum.pixels.data() + std::size_t{m_tile.firstRow} * static_cast<std::size_t>(sum.width) * 3;
     for (const float value : m_sample[plane]) *out++ += value;

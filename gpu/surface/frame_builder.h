@@ -14,9 +14,10 @@ namespace parity::gpu {
 class FrameBuilder {
 public:
   // target: what the colour is stored in, sample by sample, layer over layer, and once more when samples become a
-  // pixel; none: nothing is rounded. Terms are never. terms: how many (SceneBuffers::termCount()); 0: none.
-  FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, std::size_t terms, const glm::vec3& background,
-               const std::optional<TargetCodec>& target = std::nullopt);
+  // pixel; none: nothing is rounded. Terms are never. terms: of each (SceneBuffers::termCount()) whether it is
+  // composed; the images of others stay empty. An empty list: the frame has no terms.
+  FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, const std::vector<char>& terms,
+               const glm::vec3& background, const std::optional<TargetCodec>& target = std::nullopt);
 
   // One (tile, sample): begins with the background; then its layers from the back to the front, those of surfaces that
   // are not blended first. The surfaces' pixels lie within the tile.
@@ -29,6 +30,7 @@ public:
 private:
   // Where the tile's colour (0) or one of its terms begins.
   float* planeAt(std::size_t plane);
+  bool isComposed(std::size_t term) const { return !m_frame.terms[term].empty(); }
 
   int m_samples;
   glm::vec3 m_background;

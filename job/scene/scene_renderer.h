@@ -112,7 +112,7 @@ private:
   void layAgain(const scenes::Camera& camera, Work& work, const Composition& composition);
   // Whether shading so many lights once for all pictures saves more than compiling the shaders for it takes.
   bool paysAtOnce(std::size_t lights) const;
-  gpu::FrameBuilder makeFrame(bool terms) const;
+  gpu::FrameBuilder makeFrame(const std::vector<char>& terms) const; // as FrameBuilder takes them
   void countSurface(const gpu::Surface& surface, Work& work) const;
 
   Context& m_context;

@@ -22,17 +22,24 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
     by.giveBackdrop(*by.withTerms);
     return by.withTerms->shade(surface, camera);
   };
-  gpu::FrameBuilder firstFrame = makeFrame(true), otherFrame = makeFrame(true);
+  // What is 0 in both paths takes no picture. What is shaded only now may hold any term.
+  const bool areKept =
+      !m_kept.empty() && std::ranges::none_of(m_kept, [](const KeptLayer& layer) { return layer.shaded.empty(); });
+  std::vector<char> used(m_scene.buffers().termCount(), areKept ? 0 : 1);
+  if (areKept)
+    for (const KeptLayer& layer : m_kept) markUsedTerms(layer.shaded.front(), layer.shaded[path], used);
+  const std::vector<std::size_t> terms = placesOf(used);
+  gpu::FrameBuilder firstFrame = makeFrame(used), otherFrame = makeFrame(used);
   std::vector<char> wanted(m_prepared.scene.materials.size(), 0);
   for (const std::size_t material : materials) wanted[material] = 1;
   gpu::SwapBuilder variants(m_scene.buffers().materialOfInstance(), m_prepared.scene.materials.size(),
                             static_cast<std::uint32_t>(settings.width), settings.samples,
-                            std::vector<glm::vec3>(1 + m_scene.buffers().termCount(), settings.background),
-                            std::nullopt, std::move(wanted));
+                            std::vector<glm::vec3>(1 + terms.size(), settings.background), std::nullopt,
+                            std::move(wanted));
   const auto compose = [&](const gpu::Surface& surface, const gpu::ShadedSurface& a, const gpu::ShadedSurface& b) {
     firstFrame.lay(surface, a);
     otherFrame.lay(surface, b);
-    variants.lay(surface, a, b, TermVariants(surface, a, b, variants).planes());
+    variants.lay(surface, a, b, TermVariants(surface, a, b, terms, variants).planes());
   };
   const auto lay = [&](const KeptLayer& layer) {
     const base::Stopwatch watch(&m_context.timings(), "shade terms");
@@ -47,6 +54,7 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
   frames.paths.front().frame.terms = firstFrame.take().terms;
   frames.paths[path].frame.terms = otherFrame.take().terms;
   frames.paths[path].termVariants = variants.take(frames.coverage, {});
+  frames.paths[path].variantTerms = terms;
 }
 
 // By this view alone: what it reports depends on no other.
@@ -82,7 +90,7 @@ void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const sce
     const std::size_t count = std::min(most, lights.size() - begin);
     renderer->leaveOut(lights.subspan(begin, count));
     std::vector<gpu::FrameBuilder> frames;
-    for (std::size_t k = 0; k < count; ++k) frames.push_back(makeFrame(false));
+    for (std::size_t k = 0; k < count; ++k) frames.push_back(makeFrame({}));
     const auto lay = [&](const KeptLayer& layer) {
       const base::Stopwatch watch(&m_context.timings(), "shade without a light");
       gpu::ShadedSurface shaded = renderer->shade(layer.surface, camera);
@@ -104,7 +112,7 @@ base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scen
   std::unique_ptr<paths::Renderer>& without = first.without[features];
   if (!without) without = makeRenderer(*first.path, {.hiddenFeatures = features}, m_views);
   first.giveBackdrop(*without);
-  gpu::FrameBuilder frame = makeFrame(false);
+  gpu::FrameBuilder frame = makeFrame({});
   const auto lay = [&](const KeptLayer& layer) {
     const base::Stopwatch watch(&m_context.timings(), "shade without a lobe");
     frame.lay(layer.surface, without->shade(layer.surface, camera));
@@ -114,10 +122,10 @@ base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scen
   return frame.take().color;
 }
 
-gpu::FrameBuilder SceneRenderer::makeFrame(bool terms) const {
+gpu::FrameBuilder SceneRenderer::makeFrame(const std::vector<char>& terms) const {
   const Settings& settings = m_settings;
   return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height), settings.samples,
-          terms ? m_scene.buffers().termCount() : 0, settings.background};
+          terms, settings.background};
 }
 
 void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Composition& composition) {

@@ -57,11 +57,11 @@ compare::AttributionInput inputOf(Context& context, const ViewFrames& frames, st
   const PathFrames& path = frames.paths[compared.test];
   const gpu::SwappedPixels &swapped = path.swap[material], &variants = path.termVariants[material];
   compare::AttributionInput input{displaySwap(context, list, swapped, 0, exposureEv, &compared.tested), {}};
-  for (std::size_t t = 0; t + 1 < variants.planes.size(); ++t) {
-    if (areSame(variants.planes[0], variants.planes[1 + t])) continue;
+  for (std::size_t i = 0; i < path.variantTerms.size(); ++i) {
+    if (areSame(variants.planes[0], variants.planes[1 + i])) continue;
     input.terms.push_back(
-        {std::string(shading::kTermNames[t]),
-         displaySwap(context, list, storeVariant(swapped, variants, 1 + t, target), 0, exposureEv, nullptr)});
+        {std::string(shading::kTermNames[path.variantTerms[i]]),
+         displaySwap(context, list, storeVariant(swapped, variants, 1 + i, target), 0, exposureEv, nullptr)});
     input.terms.back().swap.linear = {};
   }
   input.swap.linear = {};

@@ -11,7 +11,8 @@ ViewBuilder::ViewBuilder(const Settings& settings, const std::vector<PathPlan>& 
     : m_paths(plans.size()) {
   const auto makeFrame = [&](bool terms, const std::optional<gpu::TargetCodec>& codec) {
     return gpu::FrameBuilder(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height),
-                             settings.samples, terms ? buffers.termCount() : 0, settings.background, codec);
+                             settings.samples, std::vector<char>(terms ? buffers.termCount() : 0, 1),
+                             settings.background, codec);
   };
   const auto makeSwap = [&](std::optional<gpu::SwapBuilder>& swap, std::size_t planes, const glm::vec3& background,
                             const std::optional<gpu::TargetCodec>& codec) {
@@ -44,8 +45,10 @@ ViewBuilder::ViewBuilder(const Settings& settings, const std::vector<PathPlan>& 
     if (ofOriginals) path.ofOriginals = makeFrame(false, target);
     makeSwap(path.swap, 1, settings.background, target);
     if (target && target->isDisplayed()) makeSwap(path.swapLight, 1, settings.background, std::nullopt);
-    if (settings.terms && settings.attribution != Attribution::none)
+    if (settings.terms && settings.attribution != Attribution::none) {
+      path.variantTerms = placesOf(std::vector<char>(buffers.termCount(), 1));
       makeSwap(path.termVariants, 1 + buffers.termCount(), settings.background, std::nullopt);
+    }
   }
   if (truth) {
     m_truth = makeFrame(settings.terms, std::nullopt);
@@ -91,8 +94,9 @@ void ViewBuilder::lay(const gpu::Surface& surface, const std::vector<ShadedByPat
     laySwap(builders.swap, first, shaded);
     laySwap(builders.swapLight, first, shaded);
     if (builders.termVariants)
-      builders.termVariants->lay(surface, first, shaded,
-                                 TermVariants(surface, first, shaded, *builders.termVariants).planes());
+      builders.termVariants->lay(
+          surface, first, shaded,
+          TermVariants(surface, first, shaded, builders.variantTerms, *builders.termVariants).planes());
     if (!truth || builders.isWhatIf) continue;
     laySwap(builders.truthSwap, truth->shaded, shaded);
     if (!builders.truthTermSwap) continue;
@@ -153,6 +157,7 @@ ViewFrames ViewBuilder::take() {
     path.truthSwap = take(builders.truthSwap, &path.frame.color);
     path.truthTermSwap = take(builders.truthTermSwap, nullptr);
     path.termVariants = take(builders.termVariants, nullptr);
+    path.variantTerms = std::move(builders.variantTerms);
   }
   return frames;
 }

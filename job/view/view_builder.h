@@ -46,6 +46,7 @@ private:
   struct PathBuilders {
     std::optional<gpu::FrameBuilder> frame, beforeTarget, ofOriginals;
     std::optional<gpu::SwapBuilder> swap, swapLight, truthSwap, truthTermSwap, termVariants;
+    std::vector<std::size_t> variantTerms; // as of PathFrames
     bool isWhatIf = false;
   };
   template <typename Do> void forEachFrame(const Do& act);

@@ -219,9 +219,9 @@ std::vector<report::TermFigures> termFigures(const ViewFrames& frames, std::size
   const base::Frame &first = frames.first().frame, &other = frames.paths[test].frame;
   std::vector<report::TermFigures> result;
   if (first.terms.empty() || other.terms.empty() || list.pixels.empty()) return result;
+  const auto mean = [&](const base::Image& term) { return term.empty() ? 0.0 : compare::meanLuminance(term, list); };
   for (std::size_t t = 0; t < first.terms.size(); ++t)
-    result.push_back({std::string(shading::kTermNames[t]), compare::meanLuminance(first.terms[t], list),
-                      compare::meanLuminance(other.terms[t], list)});
+    result.push_back({std::string(shading::kTermNames[t]), mean(first.terms[t]), mean(other.terms[t])});
   return result;
 }
 

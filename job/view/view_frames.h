@@ -1,6 +1,7 @@
 // The frames of one view, by every path, and what they make together.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "base/frame.h"
@@ -9,16 +10,17 @@
 namespace parity::job {
 
 struct PathFrames {
-  base::Frame frame;
+  base::Frame frame; // an empty image of a term: 0 everywhere
   // Of paths that are compared with the first, else empty.
   base::Image beforeTarget; // the colour as if nothing were stored
   base::Image ofOriginals;  // with the textures as they are; empty where the path has them, too
   // The material swap, one for each coverage list: the first path's picture in which the material alone carries this
   // one's colours. And before the target, where that is displayed: nothing is cut off.
   std::vector<gpu::SwappedPixels> swap, swapLight;
-  // `swap` as it was computed, before the target, then by each of the first path's terms (TermVariants); of the
-  // materials that are attributed.
+  // `swap` as it was computed, before the target, then by the first path's terms at these places (TermVariants); of the
+  // materials that are attributed. A term without a plane changes nothing.
   std::vector<gpu::SwappedPixels> termVariants;
+  std::vector<std::size_t> variantTerms;
   // With the truth, of every path: the truth's picture with this one's colours; its terms as planes in the order of
   // shading::Term.
   std::vector<gpu::SwappedPixels> truthSwap, truthTermSwap;

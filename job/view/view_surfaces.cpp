@@ -60,7 +60,7 @@ void ViewSurfaces::lay(std::size_t part, const Shaded& shaded, auto& builder) co
 base::Image ViewSurfaces::compose(const std::vector<Shaded>& shaded,
                                   const std::optional<gpu::TargetCodec>& target) const {
   gpu::FrameBuilder frame(static_cast<std::uint32_t>(m_settings.width), static_cast<std::uint32_t>(m_settings.height),
-                          m_settings.samples, 0, m_settings.background, target);
+                          m_settings.samples, {}, m_settings.background, target);
   for (std::size_t i = 0; i < m_parts.size(); ++i) lay(i, shaded[i], frame);
   return frame.take().color;
 }

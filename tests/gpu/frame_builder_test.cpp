@@ -34,7 +34,7 @@ template <typename... Layers> void add(FrameBuilder& builder, const Layers&... l
 }
 
 TEST(FrameBuilder, ShowsTheBackgroundWhereNothingIsSeen) {
-  FrameBuilder builder(2, 1, 1, 0, glm::vec3(0.1f, 0.2f, 0.3f));
+  FrameBuilder builder(2, 1, 1, {}, glm::vec3(0.1f, 0.2f, 0.3f));
   add(builder, ShadedLayer{makeSurface({1}), {{glm::vec4(5, 6, 7, 1)}, {}}});
   EXPECT_EQ(builder.take().color.pixels, (std::vector<float>{0.1f, 0.2f, 0.3f, 5, 6, 7}));
 }
@@ -42,7 +42,7 @@ TEST(FrameBuilder, ShowsTheBackgroundWhereNothingIsSeen) {
 // Two rows, a tile each. One sample is composed in the picture itself, two beside it.
 TEST(FrameBuilder, TilesAreRowsOfThePicture) {
   for (const int samples : {1, 2}) {
-    FrameBuilder builder(2, 2, samples, 1, glm::vec3(0.5f));
+    FrameBuilder builder(2, 2, samples, {1}, glm::vec3(0.5f));
     for (std::uint32_t row = 0; row < 2; ++row)
       for (int sample = 0; sample < samples; ++sample) {
         Surface surface = makeSurface({2 * row + row}); // a pixel of each row
@@ -59,14 +59,14 @@ TEST(FrameBuilder, TilesAreRowsOfThePicture) {
 }
 
 TEST(FrameBuilder, AveragesSamplesInLinearLight) {
-  FrameBuilder builder(2, 1, 2, 0, glm::vec3(0));
+  FrameBuilder builder(2, 1, 2, {}, glm::vec3(0));
   add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(1, 1, 1, 1)}, {}}});
   add(builder, ShadedLayer{makeSurface({0, 1}), {{glm::vec4(3, 3, 3, 1), glm::vec4(8, 8, 8, 1)}, {}}});
   EXPECT_EQ(builder.take().color.pixels, (std::vector<float>{2, 2, 2, 4, 4, 4}));
 }
 
 TEST(FrameBuilder, LaysTheBlendedLayerOverColourAndTermsAlike) {
-  FrameBuilder builder(2, 1, 1, shading::kBaseTermCount, glm::vec3(1));
+  FrameBuilder builder(2, 1, 1, std::vector<char>(shading::kBaseTermCount, 1), glm::vec3(1));
   ShadedSurface below{{glm::vec4(4, 4, 4, 1)},
                       std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(0)})};
   below.terms[0][0] = glm::vec4(4, 4, 4, 0);
@@ -83,7 +83,7 @@ TEST(FrameBuilder, LaysTheBlendedLayerOverColourAndTermsAlike) {
 }
 
 TEST(FrameBuilder, AddsPremultipliedColourAndTermsAsTheyAre) {
-  FrameBuilder builder(2, 1, 1, shading::kBaseTermCount, glm::vec3(1));
+  FrameBuilder builder(2, 1, 1, std::vector<char>(shading::kBaseTermCount, 1), glm::vec3(1));
   const auto terms = [](float value) {
     return std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(value)});
   };
@@ -96,7 +96,7 @@ TEST(FrameBuilder, AddsPremultipliedColourAndTermsAsTheyAre) {
 
 // One pixel: an opaque surface of light 0.64, over it a layer of light 0.04 at half opacity.
 glm::vec3 blend(const std::optional<TargetCodec>& target) {
-  FrameBuilder builder(2, 1, 1, 0, glm::vec3(0), target);
+  FrameBuilder builder(2, 1, 1, {}, glm::vec3(0), target);
   const ShadedSurface below{{glm::vec4(0.64f, 0.64f, 0.64f, 1)}, {}}, above{{glm::vec4(0.04f, 0.04f, 0.04f, 0.5f)}, {}};
   add(builder, ShadedLayer{makeSurface({0}), below}, ShadedLayer{makeSurface({0}, true), above});
   const base::Frame frame = builder.take();
@@ -115,7 +115,7 @@ TEST(FrameBuilder, BlendsInTheNumbersOfItsTarget) {
 
 // As hardware does: what each layer leaves is stored before the next one is blended over it.
 TEST(FrameBuilder, RoundsAfterEachLayer) {
-  FrameBuilder builder(2, 1, 1, 0, glm::vec3(0), TargetCodec(OutputTarget::rgba8Gamma2, 0));
+  FrameBuilder builder(2, 1, 1, {}, glm::vec3(0), TargetCodec(OutputTarget::rgba8Gamma2, 0));
   const float light = 9 / 255.f * (9 / 255.f);
   const ShadedSurface half{{glm::vec4(0, 0, 0, 0.5f)}, {}};
   add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(light, light, light, 1)}, {}}},
@@ -126,7 +126,7 @@ TEST(FrameBuilder, RoundsAfterEachLayer) {
 
 TEST(FrameBuilder, ResolvesSamplesAsItsTargetWould) {
   const auto resolve = [](OutputTarget target) {
-    FrameBuilder builder(2, 1, 2, 0, glm::vec3(0), TargetCodec(target, 0));
+    FrameBuilder builder(2, 1, 2, {}, glm::vec3(0), TargetCodec(target, 0));
     add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(1)}, {}}});
     add(builder, ShadedLayer{makeSurface({}), {}});
     return builder.take().color.pixels[0];
@@ -137,14 +137,15 @@ TEST(FrameBuilder, ResolvesSamplesAsItsTargetWould) {
 }
 
 TEST(FrameBuilder, StoresTheBackgroundInItsTarget) {
-  FrameBuilder builder(2, 1, 1, 0, glm::vec3(0.18f), TargetCodec(OutputTarget::rgba8Gamma2, 0));
+  FrameBuilder builder(2, 1, 1, {}, glm::vec3(0.18f), TargetCodec(OutputTarget::rgba8Gamma2, 0));
   add(builder, ShadedLayer{makeSurface({}), {}});
   EXPECT_NEAR(builder.take().color.pixels[0], 0.149960f, 1e-6f) << "code 108";
 }
 
 TEST(FrameBuilder, ATargetLeavesTermsAndNonFinitePixelsAlone) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  FrameBuilder builder(2, 1, 1, shading::kBaseTermCount, glm::vec3(0), TargetCodec(OutputTarget::rgba8Gamma2, 0));
+  FrameBuilder builder(2, 1, 1, std::vector<char>(shading::kBaseTermCount, 1), glm::vec3(0),
+                       TargetCodec(OutputTarget::rgba8Gamma2, 0));
   ShadedSurface shaded{{glm::vec4(kNan, 1, 1, 1), glm::vec4(0.3f, 0.3f, 0.3f, 1)},
                        std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(0), glm::vec4(0)})};
   shaded.terms[2][1] = glm::vec4(0.3f);

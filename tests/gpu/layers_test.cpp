@@ -89,7 +89,7 @@ protected:
     const SurfacePass pass(device(), buffers, kLayersSide, kLayersSide);
     const MaterialPass materials(device(), buffers, pass.binKinds(), kLayersSide * kLayersSide);
     const scenes::Camera camera = tests::makeFrontCamera(1, 8, true);
-    FrameBuilder frame(kLayersSide, kLayersSide, 1, 0, kBackground);
+    FrameBuilder frame(kLayersSide, kLayersSide, 1, {}, kBackground);
     CoverageBuilder coverage(buffers, 1);
     Rendered rendered;
     for (const Tile& tile : {Tile{0, kLayersSide / 2}, Tile{kLayersSide / 2, kLayersSide / 2}}) {

@@ -76,7 +76,7 @@ std::vector<base::PixelList> coverageOf(const std::vector<Sample>& samples) {
 Composed compose(const std::vector<Sample>& samples, float background = 0.25f,
                  const std::optional<TargetCodec>& target = std::nullopt, std::vector<char> wanted = {}) {
   const int count = static_cast<int>(samples.size());
-  FrameBuilder reference(kWidth, 1, count, 0, glm::vec3(background)),
+  FrameBuilder reference(kWidth, 1, count, {}, glm::vec3(background)),
       test(kWidth, 1, count, false, glm::vec3(background), target);
   SwapBuilder swap(kMaterialOf, 3, kWidth, count, {glm::vec3(background)}, target, std::move(wanted));
   for (const Sample& sample : samples) {

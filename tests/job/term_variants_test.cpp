@@ -46,7 +46,7 @@ struct Swap {
 TEST(TermVariants, EachHasTheHighEndTermInPlaceOfItsOwn) {
   const gpu::Surface surface = makeSurface();
   const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f, 4}), mobile = makeShaded({0.125f, 0.25f, 2});
-  const TermVariants variants(surface, highend, mobile, Swap().builder);
+  const TermVariants variants(surface, highend, mobile, kAll, Swap().builder);
   const std::vector<gpu::SwapPlane> planes = variants.planes();
   ASSERT_EQ(planes.size(), 1 + kTermCount);
   EXPECT_EQ(planes[0].test[0].x, 2.375f) << "mobile as it is";
@@ -59,7 +59,7 @@ TEST(TermVariants, EachHasTheHighEndTermInPlaceOfItsOwn) {
 TEST(TermVariants, HighEndTermsAreTimesTheOpacityWhereMobilesAre) {
   const gpu::Surface surface = makeSurface(true);
   const gpu::ShadedSurface highend = makeShaded({0.5f}, 0.25f), mobile = makeShaded({0.0625f, 0.125f}, 0.25f, true);
-  const TermVariants variants(surface, highend, mobile, Swap().builder);
+  const TermVariants variants(surface, highend, mobile, kAll, Swap().builder);
   EXPECT_EQ(variants.planes()[1].test[0].x, 0.125f + 0.25f * 0.5f);
   EXPECT_EQ(variants.planes()[1].test[0].w, 0.25f);
 }
@@ -71,14 +71,14 @@ TEST(TermVariants, AreMadeOfTheMaterialsThatAreSwapped) {
   surface.instances = {1};
   EXPECT_TRUE(swap.builder.swaps(surface, 0));
   const gpu::ShadedSurface highend = makeShaded({0.5f}), mobile = makeShaded({0.125f});
-  const TermVariants variants(surface, highend, mobile, swap.builder);
+  const TermVariants variants(surface, highend, mobile, kAll, swap.builder);
   EXPECT_EQ(variants.planes()[1].test[0].x, 0.5f);
 }
 
 TEST(TermVariants, ATermThatIsNaNIsFoundByItsExchange) {
   const gpu::Surface surface = makeSurface();
   const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f}), mobile = makeShaded({kNan, 0.75f});
-  const TermVariants variants(surface, highend, mobile, Swap().builder);
+  const TermVariants variants(surface, highend, mobile, kAll, Swap().builder);
   EXPECT_EQ(variants.planes()[1].test[0].x, 0.5f + 0.75f) << "the sum of the others, and the high-end path's";
   EXPECT_TRUE(std::isnan(variants.planes()[2].test[0].x)) << "another term does not mend it";
 }

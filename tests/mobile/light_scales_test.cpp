@@ -121,7 +121,7 @@ TEST_F(LightScalesTest, PremultipliedGlassIsThePictureThatBlendingAfterwardsGive
       each->width = each->height = 1;
       each->pixels = each->instances = {0};
     }
-    gpu::FrameBuilder builder(1, 1, 1, shading::kBaseTermCount, glm::vec3(0));
+    gpu::FrameBuilder builder(1, 1, 1, std::vector<char>(shading::kBaseTermCount, 1), glm::vec3(0));
     const gpu::ShadedSurface under = shadedOf(below, std::array<glm::vec3, shading::kTermCount>{}, false),
                              over = shadedOf(glm::vec4(point.color, kOpacity), point.terms, premultiplied);
     builder.begin({0, 1});
