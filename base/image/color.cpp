@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include <OpenColorIO/OpenColorIO.h>
@@ -104,27 +105,50 @@ Image DisplayTransform::apply(const Image& linear, float exposureEv) const {
   if (linear.channels != 3 || linear.empty())
     throw Error(ExitCode::failed, "display '" + m_name + "'", "",
                 fmt::format("needs an RGB image, not one of {} channels", linear.channels));
-  const float gain = std::exp2(exposureEv);
   Image encoded(linear.width, linear.height, 3);
   constexpr std::size_t kBandRows = 16;
   parallelFor(static_cast<std::size_t>(linear.height), kBandRows, [&](std::size_t begin, std::size_t end) {
-    const float* in = linear.at(0, static_cast<int>(begin));
-    float* out = encoded.at(0, static_cast<int>(begin));
-    const std::size_t count = (end - begin) * linear.width * 3;
-    for (std::size_t i = 0; i < count; ++i) {
-      const float exposed = in[i] * gain;
-      out[i] = std::isfinite(exposed) ? exposed : 0.0f; // tables are not to be looked up with NaN
-    }
-    if (m_impl->processor) {
-      ocio::PackedImageDesc band(out, linear.width, static_cast<long>(end - begin), 3);
-      m_impl->processor->apply(band);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const float exposed = in[i] * gain;
-      out[i] = std::isfinite(exposed) ? std::clamp(out[i], 0.0f, 1.0f) : exposed;
-    }
+    const std::size_t first = begin * linear.width * 3, count = (end - begin) * linear.width * 3;
+    encode(std::span(linear.pixels).subspan(first, count), exposureEv, std::span(encoded.pixels).subspan(first, count));
   });
   return encoded;
+}
+
+void DisplayTransform::encode(std::span<const float> linear, float exposureEv, std::span<float> encoded) const {
+  const float gain = std::exp2(exposureEv);
+  const auto encodePixels = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = 3 * begin; i < 3 * end; ++i) {
+      const float exposed = linear[i] * gain;
+      encoded[i] = std::isfinite(exposed) ? exposed : 0.0f; // tables are not to be looked up with NaN
+    }
+    if (m_impl->processor) {
+      ocio::PackedImageDesc pixels(&encoded[3 * begin], static_cast<long>(end - begin), 1, 3);
+      m_impl->processor->apply(pixels);
+    }
+    for (std::size_t i = 3 * begin; i < 3 * end; ++i) {
+      const float exposed = linear[i] * gain;
+      encoded[i] = std::isfinite(exposed) ? std::clamp(encoded[i], 0.0f, 1.0f) : exposed;
+    }
+  };
+  // Most of many pictures is background: equal pixels in a row are encoded once.
+  constexpr std::size_t kLongRun = 16;
+  const std::size_t count = linear.size() / 3;
+  const auto runAt = [&](std::size_t begin) {
+    std::size_t end = begin + 1;
+    while (end < count && std::memcmp(&linear[3 * begin], &linear[3 * end], 3 * sizeof(float)) == 0) ++end;
+    return end - begin;
+  };
+  std::size_t pending = 0; // the first pixel that is not encoded yet
+  for (std::size_t i = 0; i < count;) {
+    const std::size_t run = runAt(i);
+    if (run >= kLongRun) {
+      encodePixels(pending, i + 1);
+      for (std::size_t k = i + 1; k < i + run; ++k) std::copy_n(&encoded[3 * i], 3, &encoded[3 * k]);
+      pending = i + run;
+    }
+    i += run;
+  }
+  if (pending < count) encodePixels(pending, count);
 }
 
 const std::vector<std::string>& colorSpaceNames() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ public:
   // linear: RGB, Rec.709 primaries, scene-referred. Multiplied by 2^exposureEv first. Returns display-encoded RGB in
   // [0,1]. Non-finite input comes out as it is, so that the comparison can refuse it.
   Image apply(const Image& linear, float exposureEv = 0) const;
+  // The same of pixels one after another. encoded: as many values.
+  void encode(std::span<const float> linear, float exposureEv, std::span<float> encoded) const;
 
 private:
   struct Impl;

@@ -32,7 +32,10 @@ void writeMap(const fs::path& file, const base::Image& map, FlipPair& result) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
-  base::writeImage(file, extension == ".png" ? magmaImage(map) : map);
+  if (extension == ".png")
+    base::writeImage8(file, magmaImage(map));
+  else
+    base::writeImage(file, map);
   result.written.push_back(file);
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "base/parallel.h"
+#include "base/raw_vector.h"
 
 namespace parity::job {
 
@@ -19,14 +21,16 @@ std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(std::clamp(v
 } // namespace
 
 Displayed displayImage(const base::Image& color, const base::DisplayTransform& display, float exposureEv) {
-  const base::Image encoded = display.apply(color, exposureEv);
   Displayed out{base::Image8(color.width, color.height, 3), {}};
   std::vector<std::vector<std::uint32_t>> nonFinite(color.pixelCount() / kGrainPixels + 1);
   base::parallelFor(color.pixelCount(), kGrainPixels, [&](std::size_t begin, std::size_t end) {
+    base::RawVector<float> encoded(3 * (end - begin));
+    display.encode(std::span(color.pixels).subspan(3 * begin, encoded.size()), exposureEv, encoded);
     for (std::size_t p = begin; p < end; ++p) {
+      const float* shown = &encoded[3 * (p - begin)];
       // The frame decides, not the encoded value: an infinite radiance would be displayed as plain white.
-      if (isFinite(&color.pixels[3 * p]) && isFinite(&encoded.pixels[3 * p]))
-        std::transform(&encoded.pixels[3 * p], &encoded.pixels[3 * p] + 3, &out.pixels.pixels[3 * p], toByte);
+      if (isFinite(&color.pixels[3 * p]) && isFinite(shown))
+        std::transform(shown, shown + 3, &out.pixels.pixels[3 * p], toByte);
       else
         nonFinite[begin / kGrainPixels].push_back(static_cast<std::uint32_t>(p));
     }
@@ -39,12 +43,6 @@ base::Image expose(const base::Image& color, float exposureEv) {
   base::Image out = color;
   const float gain = std::exp2(exposureEv);
   for (float& v : out.pixels) v *= gain;
-  return out;
-}
-
-base::Image8 quantize(const base::Image& display) {
-  base::Image8 out(display.width, display.height, display.channels);
-  std::transform(display.pixels.begin(), display.pixels.end(), out.pixels.begin(), toByte);
   return out;
 }
 

@@ -21,7 +21,4 @@ Displayed displayImage(const base::Image& color, const base::DisplayTransform& d
 // The frame as the camera's exposure makes it: what linear figures are measured on.
 base::Image expose(const base::Image& color, float exposureEv);
 
-// value * 255 + 0.5, clamped to [0,255].
-base::Image8 quantize(const base::Image& display);
-
 } // namespace parity::job

@@ -30,8 +30,10 @@ gpu::SwappedPixels storeVariant(const gpu::SwappedPixels& swapped, const gpu::Sw
   gpu::SwappedPixels stored;
   base::Image& out = stored.planes.emplace_back(made);
   base::parallelFor(made.pixelCount(), 16384, [&](std::size_t begin, std::size_t end) {
+    auto whole = std::ranges::lower_bound(swapped.whole, static_cast<std::uint32_t>(begin)); // sorted
     for (std::size_t i = begin; i < end; ++i) {
-      const bool isWhole = std::ranges::binary_search(swapped.whole, static_cast<std::uint32_t>(i));
+      const bool isWhole = whole != swapped.whole.end() && *whole == i;
+      if (isWhole) ++whole;
       const float *before = &plain.pixels[3 * i], *after = &variant.pixels[3 * i], *as = &made.pixels[3 * i];
       const glm::vec3 keptBefore = isWhole ? kept(before) : glm::vec3(before[0], before[1], before[2]),
                       keptAfter = isWhole ? kept(after) : glm::vec3(after[0], after[1], after[2]);

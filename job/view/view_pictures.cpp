@@ -81,11 +81,11 @@ std::vector<EncodedPicture> encodeViewPictures(report::ViewResult& view, const V
     if (!crops[i].empty())
       nameImages(view.materials[i].crops, view.materials[i].truth, fmt::format("{}_m{}", stem, numbers[i]), pictures);
 
-  const base::Image8 heat = quantize(compare::magmaImage(*pictures.flip));
+  const base::Image8 heat = compare::magmaImage(*pictures.flip);
   base::Image8 referenceHeat, testHeat;
   if (view.truth) {
-    referenceHeat = quantize(compare::magmaImage(*pictures.referenceTruthFlip));
-    testHeat = quantize(compare::magmaImage(*pictures.testTruthFlip));
+    referenceHeat = compare::magmaImage(*pictures.referenceTruthFlip);
+    testHeat = compare::magmaImage(*pictures.testTruthFlip);
   }
   struct Task {
     Picture picture;
@@ -109,8 +109,8 @@ std::vector<EncodedPicture> encodeViewPictures(report::ViewResult& view, const V
   std::vector<base::Image8> ownHeats(view.materials.size());
   for (std::size_t i = 0; i < view.materials.size(); ++i) {
     if (crops[i].empty()) continue;
-    ownHeats[i] = quantize(compare::magmaImage(
-        ownFlip(*pictures.materials[i], (*pictures.materialFlip)[i], crops[i], pictures.flip->width)));
+    ownHeats[i] = compare::magmaImage(
+        ownFlip(*pictures.materials[i], (*pictures.materialFlip)[i], crops[i], pictures.flip->width));
     tasks.push_back({{&ownHeats[i], view.materials[i].crops.flip}, std::nullopt});
   }
   std::vector<report::PixelPlane> planes = pictures.planes.color;

@@ -47,6 +47,9 @@ CubeLevel makeCubeLevel(const std::vector<glm::vec4>& mip, int n) {
 
 CubeSampler::CubeSampler(std::vector<glm::vec4> base, int faceSize) : m_faceSize(faceSize) {
   std::vector<glm::vec4> mip = std::move(base);
+  std::size_t texels = 0;
+  for (int n = faceSize; n > 0; n /= 2) texels += static_cast<std::size_t>(kCubeFaces) * (n + 2) * (n + 2);
+  m_levels.reserve(texels);
   for (int n = faceSize;; n /= 2) {
     const CubeLevel level = makeCubeLevel(mip, n);
     m_levels.insert(m_levels.end(), level.faces.begin(), level.faces.end());

@@ -64,8 +64,10 @@ EnvironmentLight filterCube(std::vector<glm::vec4> texels, const PrefilterOption
   source.cube = &sampler;
   for (int mip = 0; mip <= shading::f64::kPrefilterRoughestMip; ++mip) {
     std::vector<glm::vec4>& layers = mip == 0 ? cube.mips[0] : cube.mips.emplace_back();
-    for (int layer = mip == 0 ? 1 : 0; layer < layersOfMip(mip, options.levels); ++layer) {
-      const std::vector<glm::vec4> fitted = fitBilinear(prefilter(source, mip, layer, options), size >> mip);
+    const int count = layersOfMip(mip, options.levels);
+    layers.reserve(static_cast<std::size_t>(count) * texelIndex(kCubeFaces, 0, 0, size >> mip));
+    for (const std::vector<glm::vec4>& level : prefilter(source, mip, mip == 0 ? 1 : 0, count, options)) {
+      const std::vector<glm::vec4> fitted = fitBilinear(level, size >> mip);
       layers.insert(layers.end(), fitted.begin(), fitted.end());
     }
   }

@@ -24,8 +24,14 @@ using std::numbers::pi;
 // Directions within an angle of an axis.
 struct Cone {
   glm::dvec3 axis{0.0, 1.0, 0.0}; // unit
-  double angle = 0;               // radians
+  double angle = 0;               // radians, at most pi
+  double cosine = 1, sine = 0;    // of the angle
 };
+
+Cone makeCone(const glm::dvec3& axis, double angle) {
+  angle = std::min(angle, pi);
+  return {axis, angle, std::cos(angle), std::sin(angle)};
+}
 
 double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
   return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
@@ -34,17 +40,19 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
 Cone coneOf(std::span<const glm::dvec3> directions) {
   glm::dvec3 sum(0);
   for (const glm::dvec3& d : directions) sum += d;
-  Cone cone{glm::normalize(sum), 0};
-  for (const glm::dvec3& d : directions) cone.angle = std::max(cone.angle, angleBetween(d, cone.axis));
-  return cone;
+  const glm::dvec3 axis = glm::normalize(sum);
+  double angle = 0;
+  for (const glm::dvec3& d : directions) angle = std::max(angle, angleBetween(d, axis));
+  return makeCone(axis, angle);
 }
 
 Cone coneAround(std::span<const Cone> cones) {
   glm::dvec3 sum(0);
   for (const Cone& each : cones) sum += each.axis;
-  Cone cone{glm::normalize(sum), 0};
-  for (const Cone& each : cones) cone.angle = std::max(cone.angle, angleBetween(each.axis, cone.axis) + each.angle);
-  return cone;
+  const glm::dvec3 axis = glm::normalize(sum);
+  double angle = 0;
+  for (const Cone& each : cones) angle = std::max(angle, angleBetween(each.axis, axis) + each.angle);
+  return makeCone(axis, angle);
 }
 
 // integral L(w) w dw of some part of the sky: row c is the vector of channel c.
@@ -81,9 +89,14 @@ Bundle makeBundle(std::vector<Patch> patches) {
 // What the horizon may do to a part of the sky, seen from all normals of a tile.
 enum class Horizon { below, cuts, above };
 Horizon horizonOf(const Cone& tile, const Cone& sky) {
-  const double angle = angleBetween(tile.axis, sky.axis), reach = tile.angle + sky.angle + 1e-6;
-  if (angle + reach <= pi / 2) return Horizon::above;
-  return angle - reach >= pi / 2 ? Horizon::below : Horizon::cuts;
+  // The angle between the axes is compared with pi/2 less (more) the reach: its cosine with the sine of the reach.
+  constexpr double kMargin = 1e-6; // radians
+  if (tile.angle + sky.angle + kMargin >= pi / 2) return Horizon::cuts;
+  const double sine = tile.sine * sky.cosine + tile.cosine * sky.sine,
+               cosine = tile.cosine * sky.cosine - tile.sine * sky.sine;
+  const double between = glm::dot(tile.axis, sky.axis);
+  if (std::abs(between) < sine + kMargin * cosine) return Horizon::cuts;
+  return between > 0 ? Horizon::above : Horizon::below;
 }
 
 constexpr int kTile = 4; // normals a side

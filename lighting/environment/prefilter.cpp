@@ -65,8 +65,9 @@ struct LevelLobe {
   double roughnessOfBright;
 };
 
-void filterTile(const FilterSource& source, const LevelLobe& lobe, const TexelTile& tile, int size,
-                std::vector<glm::vec4>& texels) {
+// By each lobe into the level of the same place.
+void filterTile(const FilterSource& source, std::span<const LevelLobe> lobes, const TexelTile& tile, int size,
+                std::vector<std::vector<glm::vec4>>& levels) {
   std::array<glm::vec3, kMaxTileTexels> normals, sums, brightSums{};
   std::array<glm::mat3, kMaxTileTexels> frames;
   const int count = tile.count();
@@ -74,15 +75,32 @@ void filterTile(const FilterSource& source, const LevelLobe& lobe, const TexelTi
     normals[i] = glm::vec3(texelDirection(tile.face, tile.left + i % tile.side, tile.top + i / tile.side, size));
     frames[i] = makeFrame(normals[i]);
   }
-  source.cube->readSums(std::span(frames).first(count), lobe.samples, sums);
-  if (!source.bright.fours.empty()) {
-    sumBrightTexels(source.bright, std::span(normals).first(count), lobe.roughnessOfBright, brightSums);
-    for (int i = 0; i < count; ++i) sums[i] += brightSums[i];
+  for (std::size_t layer = 0; layer < lobes.size(); ++layer) {
+    const LevelLobe& lobe = lobes[layer];
+    source.cube->readSums(std::span(frames).first(count), lobe.samples, sums);
+    if (!source.bright.fours.empty()) {
+      sumBrightTexels(source.bright, std::span(normals).first(count), lobe.roughnessOfBright, brightSums);
+      for (int i = 0; i < count; ++i) sums[i] += brightSums[i];
+    }
+    if (source.lamps)
+      addLampsToTile(*source.lamps, tile, normals, static_cast<float>(std::pow(lobe.roughnessOfBright, 4)), sums);
+    glm::vec4* texels = &levels[layer][texelIndex(tile.face, tile.left, tile.top, size)];
+    for (int y = 0; y < tile.side; ++y)
+      for (int x = 0; x < tile.side; ++x) texels[y * size + x] = glm::vec4(sums[y * tile.side + x], 1.f);
   }
-  if (source.lamps)
-    addLampsToTile(*source.lamps, tile, normals, static_cast<float>(std::pow(lobe.roughnessOfBright, 4)), sums);
-  for (int i = 0; i < count; ++i)
-    texels[texelIndex(tile.face, tile.left + i % tile.side, tile.top + i / tile.side, size)] = glm::vec4(sums[i], 1.f);
+}
+
+LevelLobe makeLevelLobe(int mip, int layer, const PrefilterOptions& options) {
+  const double roughness =
+      shading::f64::roughnessFromMip(mip + static_cast<double>(layer) / shading::f64::kPrefilterLayers);
+  const int size = options.faceSize >> mip;
+  const bool isFine = options.levels == PrefilterLevels::fine;
+  const Spread spread = isFine ? Spread::spiral : Spread::hammersley;
+  // A lobe narrower than the texels would be met or missed by their middles: alpha is half a texel's width at least.
+  const double roughnessOfBright = isFine ? std::max(roughness, std::sqrt(1.0 / size)) : roughness;
+  return {packReads(
+              makeLobeSamples(roughness, samplesOfMip(mip, options), options.faceSize, options.footprintLog2, spread)),
+          roughnessOfBright};
 }
 
 } // namespace
@@ -119,25 +137,19 @@ int samplesOfMip(int mip, const PrefilterOptions& options) {
   return std::max(1, options.sampleCount * (isFine ? kFineQuarters : kQuarters)[mip] / 4);
 }
 
-std::vector<glm::vec4> prefilter(const FilterSource& source, int mip, int layer, const PrefilterOptions& options) {
-  const double roughness =
-      shading::f64::roughnessFromMip(mip + static_cast<double>(layer) / shading::f64::kPrefilterLayers);
+std::vector<std::vector<glm::vec4>> prefilter(const FilterSource& source, int mip, int firstLayer, int endLayer,
+                                              const PrefilterOptions& options) {
   const int size = options.faceSize >> mip;
-  const bool isFine = options.levels == PrefilterLevels::fine;
-  const Spread spread = isFine ? Spread::spiral : Spread::hammersley;
-  // A lobe narrower than the texels would be met or missed by their middles: alpha is half a texel's width at least.
-  const double roughnessOfBright = isFine ? std::max(roughness, std::sqrt(1.0 / size)) : roughness;
-  const LevelLobe lobe{packReads(makeLobeSamples(roughness, samplesOfMip(mip, options), options.faceSize,
-                                                 options.footprintLog2, spread)),
-                       roughnessOfBright};
-  std::vector<glm::vec4> texels(texelIndex(kCubeFaces, 0, 0, size));
+  std::vector<LevelLobe> lobes;
+  for (int layer = firstLayer; layer < endLayer; ++layer) lobes.push_back(makeLevelLobe(mip, layer, options));
+  std::vector<std::vector<glm::vec4>> levels(lobes.size(), std::vector<glm::vec4>(texelIndex(kCubeFaces, 0, 0, size)));
   const int side = tileSideOf(size), across = size / side;
   base::parallelFor(static_cast<std::size_t>(kCubeFaces) * across * across, 1, [&](std::size_t i, std::size_t) {
     const int face = static_cast<int>(i) / (across * across), inFace = static_cast<int>(i) % (across * across);
     const TexelTile tile{face, inFace % across * side, inFace / across * side, side};
-    filterTile(source, lobe, tile, size, texels);
+    filterTile(source, lobes, tile, size, levels);
   });
-  return texels;
+  return levels;
 }
 
 std::vector<glm::vec4> fitBilinear(const std::vector<glm::vec4>& mip, int size) {

@@ -37,8 +37,10 @@ struct FilterSource {
   const LampTree* lamps = nullptr; // null: none
 };
 
-// A level's six faces of (faceSize >> mip)^2 texels, filtered for N = V = R around their middles; A = 1.
-std::vector<glm::vec4> prefilter(const FilterSource& source, int mip, int layer, const PrefilterOptions& options);
+// Of each layer of a mip from firstLayer to before endLayer six faces of (faceSize >> mip)^2 texels, filtered for N = V
+// = R around their middles; A = 1.
+std::vector<std::vector<glm::vec4>> prefilter(const FilterSource& source, int mip, int firstLayer, int endLayer,
+                                              const PrefilterOptions& options);
 
 // Texels for bilinear reading: where the radiance curves, interpolation between its values at the texels' middles is
 // off to one side everywhere between, by h^2/12 of the second derivative on average. Each texel is moved as far to the

@@ -41,11 +41,10 @@ TEST(Magma, GetsBrighterFromEntryToEntry) {
 TEST(Magma, ValuesTakeTheNearestEntryAndAreClamped) {
   base::Image map(6, 1, 1);
   map.pixels = {0.f, 1.f, -2.f, 3.f, 0.4999f / 255.f, 127.5f / 255.f};
-  const base::Image shown = magmaImage(map);
+  const base::Image8 shown = magmaImage(map);
   constexpr int kEntries[] = {0, 255, 0, 255, 0, 128};
   for (int x = 0; x < 6; ++x)
-    for (std::size_t c = 0; c < 3; ++c)
-      EXPECT_EQ(std::lround(255.f * shown.at(x, 0)[c]), magmaColor(kEntries[x])[c]) << x;
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(shown.at(x, 0)[c], magmaColor(kEntries[x])[c]) << x;
   map.pixels[2] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(magmaImage(map), base::Error);
   EXPECT_THROW(magmaImage(base::Image(2, 2, 3)), base::Error);
