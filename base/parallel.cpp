@@ -47,7 +47,17 @@ public:
   }
 };
 
+// Of the thread's LoopsInBackground; null: none.
+thread_local const std::atomic<bool>* tIsWaitedFor = nullptr;
+
 } // namespace
+
+LoopsInBackground::LoopsInBackground(const std::atomic<bool>& isWaitedFor) {
+  assert(!tIsWaitedFor);
+  tIsWaitedFor = &isWaitedFor;
+}
+
+LoopsInBackground::~LoopsInBackground() { tIsWaitedFor = nullptr; }
 
 struct ThreadLimit::Impl {
   explicit Impl(std::size_t threads) : control(tbb::global_control::max_allowed_parallelism, threads) {}
@@ -78,10 +88,12 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
     end.release();
   };
   if (ranges == 1) return runRange(0);
+  std::size_t first = 0;
+  if (tIsWaitedFor && threadCount() <= 2)
+    while (first < ranges && !*tIsWaitedFor) runRange(first++);
   // Isolated: while it waits for its own ranges, a thread takes no task of an outer loop, which might want a lock that
   // the caller holds.
-  tbb::this_task_arena::isolate(
-      [&] { tbb::parallel_for(std::size_t{0}, ranges, runRange, tbb::simple_partitioner{}); });
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(first, ranges, runRange, tbb::simple_partitioner{}); });
   end.acquire();
 }
 

@@ -153,15 +153,18 @@ void addEnvironment(Context& context, lighting::SunExtraction&& found, const Pat
   }
   if (!wanted.empty())
     prepared.pendingEnvironments =
-        std::async(base::threadCount() > 1 ? std::launch::async : std::launch::deferred, [&context, extraction, oneSun,
-                                                                                          wanted] {
-          std::map<std::string, std::shared_ptr<const lighting::EnvironmentLight>> made;
-          for (const auto& [path, needs] : wanted)
-            made[path] = needs.hasOneSun
-                             ? context.environmentLight(lighting::putBackSuns(*extraction, oneSun), needs.prefilter)
-                             : context.environmentLight(extraction->environment, needs.prefilter);
-          return made;
-        }).share();
+        std::async(base::threadCount() > 1 ? std::launch::async : std::launch::deferred,
+                   [&context, extraction, oneSun, wanted, isWaitedFor = prepared.isLightWaitedFor] {
+                     const base::LoopsInBackground background(*isWaitedFor);
+                     std::map<std::string, std::shared_ptr<const lighting::EnvironmentLight>> made;
+                     for (const auto& [path, needs] : wanted)
+                       made[path] =
+                           needs.hasOneSun
+                               ? context.environmentLight(lighting::putBackSuns(*extraction, oneSun), needs.prefilter)
+                               : context.environmentLight(extraction->environment, needs.prefilter);
+                     return made;
+                   })
+            .share();
   if (!paths.truth && !paths.bakes && !prepared.baked) return;
   prepared.panorama = wanted.empty() ? std::move(extraction->environment) : extraction->environment;
 }
@@ -188,6 +191,7 @@ bool isLightReady(const PreparedScene& prepared) {
 }
 
 void finishLight(PreparedScene& prepared) {
+  *prepared.isLightWaitedFor = true;
   if (const auto pending = std::exchange(prepared.pendingEnvironments, {}); pending.valid())
     for (const auto& [path, environment] : pending.get()) prepared.lightOfPath[path].environment = environment;
   if (!prepared.pendingFile.empty()) requireLight(prepared, std::exchange(prepared.pendingFile, {}));

@@ -1,6 +1,7 @@
 // A scene made ready for its paths: loaded, lit, flagged.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <future>
 #include <map>
@@ -36,8 +37,9 @@ struct PreparedScene {
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 
   // What finishLight takes: the environments of lightOfPath by the path's name, if they are being prepared, and the
-  // scene's file, if its light is still to be looked at.
+  // scene's file, if its light is still to be looked at. It tells the thread that prepares them when it waits for it.
   std::shared_future<std::map<std::string, std::shared_ptr<const lighting::EnvironmentLight>>> pendingEnvironments;
+  std::shared_ptr<std::atomic<bool>> isLightWaitedFor = std::make_shared<std::atomic<bool>>(false);
   std::string pendingFile;
 };
 
