@@ -1,6 +1,8 @@
 #include "highend/path.h"
 
 #include <cstring>
+#include <functional>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -47,10 +49,25 @@ base::Image makeOrRecallSheenTable(int size, const paths::Services& services) {
   return table;
 }
 
-const base::Image* sheenTableOf(const paths::Inputs& inputs, const Options& options) {
-  if ((inputs.buffers.lobes() & (gpu::kFeatureCoat | gpu::kFeatureSheen)) == 0) return nullptr;
-  return inputs.services.store.get(fmt::format("sheen table {}", options.lutSize),
-                                   [&] { return makeOrRecallSheenTable(options.lutSize, inputs.services); });
+bool needsSheenTable(const paths::Inputs& inputs) {
+  return (inputs.buffers.lobes() & (gpu::kFeatureCoat | gpu::kFeatureSheen)) != 0;
+}
+
+// Tables in the run's store. What makes them refers to nothing but the run's services.
+struct Table {
+  std::string name;
+  std::function<base::Image()> make;
+};
+
+Table lutOf(const Options& options, const paths::Services& services) {
+  return {fmt::format("environment BRDF table {} {} {}", static_cast<int>(options.model.geometryTerm),
+                      static_cast<int>(options.model.fresnel), options.lutSize),
+          [options, services] { return makeOrRecallLut(options, services); }};
+}
+
+Table sheenTableOf(const Options& options, const paths::Services& services) {
+  return {fmt::format("sheen table {}", options.lutSize),
+          [size = options.lutSize, services] { return makeOrRecallSheenTable(size, services); }};
 }
 
 lighting::PrefilterOptions prefilterOf(const Options& options) {
@@ -128,7 +145,7 @@ public:
     const Options& own = options.of<Options>();
     Inputs mine{.environment = environmentOf(inputs),
                 .lut = nullptr,
-                .sheenTable = sheenTableOf(inputs, own),
+                .sheenTable = nullptr,
                 .transmits = (inputs.buffers.lobes() & gpu::kFeatureTransmission) != 0,
                 .lights = inputs.light.lights,
                 .shadows = shadowsOf(inputs),
@@ -139,7 +156,14 @@ public:
                 .view = inputs.intermediate,
                 .compilation = inputs.compilation,
                 .expectedPixels = inputs.expectedPixels};
-    if (Renderer::needsLut(mine, own)) mine.lut = &envBrdfLutOf(own, inputs.services);
+    base::Image unread[2]; // in place of tables that are still being made
+    const auto tableOf = [&](const Table& table, int channels) -> const base::Image* {
+      if (!inputs.onlyCompiles) return inputs.services.store.get(table.name, table.make);
+      inputs.services.store.begin(table.name, table.make);
+      return &(unread[channels == 1] = base::Image(own.lutSize, own.lutSize, channels));
+    };
+    if (needsSheenTable(inputs)) mine.sheenTable = tableOf(sheenTableOf(own, inputs.services), 1);
+    if (Renderer::needsLut(mine, own)) mine.lut = tableOf(lutOf(own, inputs.services), 4);
     return std::make_unique<Renderer>(inputs.device, inputs.buffers, inputs.binKinds, mine, own);
   }
 
@@ -168,13 +192,6 @@ public:
 const paths::Path& path() {
   static const HighendPath path;
   return path;
-}
-
-const base::Image& envBrdfLutOf(const Options& options, const paths::Services& services) {
-  return *services.store.get(fmt::format("environment BRDF table {} {} {}",
-                                         static_cast<int>(options.model.geometryTerm),
-                                         static_cast<int>(options.model.fresnel), options.lutSize),
-                             [&] { return makeOrRecallLut(options, services); });
 }
 
 } // namespace parity::highend

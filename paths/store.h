@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "base/background.h"
+
 namespace parity::paths {
 
 // Objects by name. Lives as long as the renderers that read them. Not thread-safe.
@@ -16,8 +18,18 @@ public:
   template <typename Make> auto get(const std::string& name, const Make& make) {
     using T = decltype(make());
     std::any& any = m_objects[name];
+    if (const auto* begun = std::any_cast<base::Background<std::shared_ptr<T>>>(&any)) any = begun->get();
     if (!any.has_value()) any = std::make_shared<T>(make());
     return std::any_cast<std::shared_ptr<T>>(any).get();
+  }
+
+  // Begins to make the object of that name in the background, if there is none, for get() to wait for. What `make`
+  // refers to must outlive the store.
+  template <typename Make> void begin(const std::string& name, const Make& make) {
+    using T = decltype(make());
+    std::any& any = m_objects[name];
+    if (any.has_value()) return;
+    any = base::Background<std::shared_ptr<T>>::begin([make] { return std::make_shared<T>(make()); });
   }
 
 private:

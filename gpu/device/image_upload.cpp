@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
+#include <span>
 
 #include <vulkan/vulkan_format_traits.hpp>
+
+#include "base/parallel.h"
 
 namespace parity::gpu {
 
@@ -22,6 +26,14 @@ vk::DeviceSize stagingBytes(const DeviceImage::Shape& shape) {
     total += shape.layers() * alignUp(vk::DeviceSize{vk::blockSize(shape.format)} * sideOf(shape.width, mip) *
                                       sideOf(shape.height, mip));
   return std::min(total, kMaxStagingBytes);
+}
+
+// Most of the time goes to new pages of memory.
+void copyBytes(std::span<const std::byte> from, std::byte* to) {
+  constexpr std::size_t kGrainBytes = std::size_t{1} << 20;
+  base::parallelFor(from.size(), kGrainBytes, [&](std::size_t begin, std::size_t end) {
+    std::memcpy(to + begin, from.data() + begin, end - begin);
+  });
 }
 
 } // namespace
@@ -45,8 +57,8 @@ void ImageUpload::write(std::uint32_t mip, std::span<const std::byte> pixels) {
         continue;
       }
       const auto rows = static_cast<std::uint32_t>(std::min<vk::DeviceSize>(room, height - row));
-      std::memcpy(m_staging.data() + begin, pixels.data() + (vk::DeviceSize{layer} * height + row) * rowBytes,
-                  rows * rowBytes);
+      copyBytes(pixels.subspan((vk::DeviceSize{layer} * height + row) * rowBytes, rows * rowBytes),
+                m_staging.data() + begin);
       m_copies.emplace_back(begin, 0, 0, vk::ImageSubresourceLayers(vk::ImageAspectFlagBits::eColor, mip, layer, 1),
                             vk::Offset3D(0, static_cast<std::int32_t>(row), 0), vk::Extent3D(width, rows, 1));
       m_used = begin + rows * rowBytes;

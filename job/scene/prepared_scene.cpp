@@ -1,7 +1,6 @@
 #include "job/scene/prepared_scene.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -153,18 +152,14 @@ void addEnvironment(Context& context, lighting::SunExtraction&& found, const Pat
   }
   if (!wanted.empty())
     prepared.pendingEnvironments =
-        std::async(base::threadCount() > 1 ? std::launch::async : std::launch::deferred,
-                   [&context, extraction, oneSun, wanted, isWaitedFor = prepared.isLightWaitedFor] {
-                     const base::LoopsInBackground background(*isWaitedFor);
-                     std::map<std::string, std::shared_ptr<const lighting::EnvironmentLight>> made;
-                     for (const auto& [path, needs] : wanted)
-                       made[path] =
-                           needs.hasOneSun
-                               ? context.environmentLight(lighting::putBackSuns(*extraction, oneSun), needs.prefilter)
-                               : context.environmentLight(extraction->environment, needs.prefilter);
-                     return made;
-                   })
-            .share();
+        decltype(prepared.pendingEnvironments)::begin([&context, extraction, oneSun, wanted] {
+          std::map<std::string, std::shared_ptr<const lighting::EnvironmentLight>> made;
+          for (const auto& [path, needs] : wanted)
+            made[path] = needs.hasOneSun
+                             ? context.environmentLight(lighting::putBackSuns(*extraction, oneSun), needs.prefilter)
+                             : context.environmentLight(extraction->environment, needs.prefilter);
+          return made;
+        });
   if (!paths.truth && !paths.bakes && !prepared.baked) return;
   prepared.panorama = wanted.empty() ? std::move(extraction->environment) : extraction->environment;
 }
@@ -186,13 +181,11 @@ PreparedScene prepareScene(Context& context, const SceneRequest& request, const 
 }
 
 bool isLightReady(const PreparedScene& prepared) {
-  return !prepared.pendingEnvironments.valid() ||
-         prepared.pendingEnvironments.wait_for(std::chrono::seconds(0)) != std::future_status::timeout;
+  return !prepared.pendingEnvironments.isValid() || prepared.pendingEnvironments.isIdle();
 }
 
 void finishLight(PreparedScene& prepared) {
-  *prepared.isLightWaitedFor = true;
-  if (const auto pending = std::exchange(prepared.pendingEnvironments, {}); pending.valid())
+  if (const auto pending = std::exchange(prepared.pendingEnvironments, {}); pending.isValid())
     for (const auto& [path, environment] : pending.get()) prepared.lightOfPath[path].environment = environment;
   if (!prepared.pendingFile.empty()) requireLight(prepared, std::exchange(prepared.pendingFile, {}));
 }
@@ -264,7 +257,7 @@ PreparedScene beginScene(Context& context, const SceneRequest& request, const Pa
     prepared.panorama.reset();
   }
   if (prepared.isLit || !hasSky) prepared.pendingFile = request.scene; // an unlit scene's sky was not filtered
-  if (!prepared.pendingEnvironments.valid()) finishLight(prepared);
+  if (!prepared.pendingEnvironments.isValid()) finishLight(prepared);
   return prepared;
 }
 

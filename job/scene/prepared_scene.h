@@ -1,9 +1,7 @@
 // A scene made ready for its paths: loaded, lit, flagged.
 #pragma once
 
-#include <atomic>
 #include <functional>
-#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "bake/baked_light.h"
+#include "base/background.h"
 #include "job/context.h"
 #include "job/paths.h"
 #include "job/scene/passes.h"
@@ -37,9 +36,8 @@ struct PreparedScene {
   std::string environmentName, sunText; // for the report: the file without its folder; "none" where there is none
 
   // What finishLight takes: the environments of lightOfPath by the path's name, if they are being prepared, and the
-  // scene's file, if its light is still to be looked at. It tells the thread that prepares them when it waits for it.
-  std::shared_future<std::map<std::string, std::shared_ptr<const lighting::EnvironmentLight>>> pendingEnvironments;
-  std::shared_ptr<std::atomic<bool>> isLightWaitedFor = std::make_shared<std::atomic<bool>>(false);
+  // scene's file, if its light is still to be looked at.
+  base::Background<std::map<std::string, std::shared_ptr<const lighting::EnvironmentLight>>> pendingEnvironments;
   std::string pendingFile;
 };
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/background.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text/error_words.h"
@@ -205,13 +206,19 @@ private:
     // As if nothing were attributed, and what attribution adds: another run's budgets may ask for the one alone.
     std::vector<report::ViewResult> plainViews;
     std::vector<EncodedPicture> plainPictures, addedPictures;
-    MaterialCards cards;
-    { // before the first image is freed
+    // While the scene goes to the device. An image is freed once both have read it.
+    const auto cards = base::Background<MaterialCards>::begin([&] {
       const base::Stopwatch watch(&m_context.timings(), "material cards");
-      cards = describeMaterials(prepared.scene, request.settings.materials, wish.pictures);
-    }
+      return describeMaterials(prepared.scene, request.settings.materials, wish.pictures);
+    });
+    gpu::ImageDone release = imageRelease(prepared, paths);
+    if (release)
+      release = [cards, free = std::move(release)](int image) {
+        cards.wait();
+        free(image);
+      };
     SceneRenderer renderer(m_context, prepared, cameraOf(request, 0, prepared), paths, wish.views, wish.permutations,
-                           imageRelease(prepared, paths));
+                           std::move(release));
     saySceneLight();
     for (std::string& note : renderer.notes()) result.warnings.push_back(std::move(note));
     for (std::size_t i = 0; i < paths.chosen.size(); ++i)
@@ -268,8 +275,8 @@ private:
       }
       // Last: a view that is given up leaves no pictures, and a scene without any view no cards.
       if (result.views.empty()) {
-        result.materials = std::move(cards.cards);
-        keepPictures(std::move(cards.pictures), scene, key ? &plainPictures : nullptr);
+        result.materials = cards.get().cards;
+        keepPictures(cards.get().pictures, scene, key ? &plainPictures : nullptr);
       }
       keepPictures(std::move(compared.pictures), scene, key ? &plainPictures : nullptr);
       keepPictures(std::move(termPictures), scene, key ? &addedPictures : nullptr);

@@ -109,6 +109,7 @@ std::unique_ptr<paths::Renderer> SceneOnDevice::makeRenderer(const paths::Path& 
                             .textures = wish.originalTextures ? nullptr : texturesIn(path.textureBlock(options)),
                             .asksForShadows = m_prepared.settings.shadows,
                             .shadowMaps = m_settings.shadowMaps,
+                            .onlyCompiles = wish.light != nullptr,
                             .terms = wish.terms,
                             .leftOut = wish.leftOut,
                             .hiddenFeatures = wish.hiddenFeatures,

@@ -58,7 +58,7 @@ SceneRenderer::SceneRenderer(Context& context, PreparedScene& prepared, const sc
 }
 
 void SceneRenderer::makeRenderers() {
-  assert(!m_prepared.pendingEnvironments.valid() && "finishLight comes first");
+  assert(!m_prepared.pendingEnvironments.isValid() && "finishLight comes first");
   for (std::size_t i = 0; i < m_choice.chosen.size(); ++i) {
     SceneOnDevice::RendererWish wish{.terms = m_shadesTerms, .intermediate = m_choice.intermediate};
     if (!m_plans.empty()) wish.plan = m_plans[i];
