@@ -36,6 +36,8 @@ public:
     *m_isWaitedFor = true;
     m_made.wait();
   }
+  // For what comes next in the background: its loops still leave a core to others.
+  void waitPatiently() const { m_made.wait(); }
   // Throws what `make` has thrown.
   const T& get() const {
     wait();

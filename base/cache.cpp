@@ -186,6 +186,11 @@ void Cache::evictAllBut(const fs::path& kept) const {
   }
 }
 
+bool Cache::isEmpty() const {
+  std::error_code error;
+  return !enabled() || !fs::exists(m_folder, error) || fs::is_empty(m_folder, error);
+}
+
 CacheContents Cache::describe() const {
   std::error_code error;
   if (!enabled() || !fs::exists(m_folder, error)) return {};

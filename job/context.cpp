@@ -83,9 +83,24 @@ gpu::Device& Context::device() {
 const std::string& Context::numerics() {
   if (m_numerics.empty()) {
     const base::Stopwatch watch(&m_timings, "numerics");
-    m_numerics = numericsId(*this);
+    if (const auto pending = std::exchange(m_pendingNumerics, {}); pending.isValid()) {
+      m_numerics = pending.get();
+      take(*m_ofNumerics);
+    } else {
+      m_numerics = numericsId(*this);
+    }
   }
   return m_numerics;
+}
+
+void Context::beginNumerics(const std::function<void()>& after) {
+  if (!m_numerics.empty() || m_pendingNumerics.isValid()) return;
+  m_ofNumerics = std::make_shared<Context>(*this, ForAnotherThread{});
+  m_pendingNumerics = base::Background<std::string>::begin([after, context = m_ofNumerics] {
+    after();
+    hashOfThisBuild(); // the run's record will ask for it, too
+    return numericsId(*context);
+  });
 }
 
 const gpu::DeviceReport& Context::deviceReport() {

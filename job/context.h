@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/background.h"
 #include "base/cache.h"
 #include "base/image/color.h"
 #include "base/stopwatch.h"
@@ -65,6 +66,9 @@ public:
   const std::string& buildId() const { return m_buildId; }
   // How this machine rounds (job/numerics.h); made on first use. Throws Error (exit 4).
   const std::string& numerics();
+  // Begins to make it in the background, by a device of its own, once `after` returns. What `after` refers to must
+  // outlive this.
+  void beginNumerics(const std::function<void()>& after);
 
   // The environment of a file as it is now, with the warnings that reading it gave; the last one that the run has read
   // is at hand, known by its content. Thread-safe. Throws Error as scenes::loadEnvironment does.
@@ -94,7 +98,9 @@ private:
   std::optional<gpu::DeviceReport> m_deviceReport;
   paths::Store m_store;
   std::set<gpu::PipelineStore::Key> m_takenShaders;
-  struct Lights { // of all contexts of a run
+  std::shared_ptr<Context> m_ofNumerics;           // in the background
+  base::Background<std::string> m_pendingNumerics; // until numerics() takes it
+  struct Lights {                                  // of all contexts of a run
     std::mutex loadMutex;
     std::shared_ptr<const LoadedEnvironment> loaded;
     std::mutex mutex;

@@ -35,8 +35,10 @@ std::string contentKey(const std::string& key, const SceneRequest& request,
 static_assert(base::memberCount<ResultWish>() == 5 && base::memberCount<gpu::PermutationBudget>() == 2,
               "a new member goes into the key, or is named here with the reason why not");
 
+bool keepsResults(const Context& context) { return context.cache().enabled() && !context.settings().device.validation; }
+
 std::optional<std::string> resultKey(Context& context, const Conditions& conditions, const ResultWish& wish) {
-  if (!context.cache().enabled() || context.settings().device.validation) return std::nullopt;
+  if (!keepsResults(context)) return std::nullopt;
   const gpu::DeviceReport& device = context.deviceReport();
   base::Hasher hasher;
   hasher.add(base::kVersion).add(context.buildId());

@@ -21,9 +21,12 @@ struct ResultWish {
   std::size_t views = 1;               // by how many they are chosen
 };
 
+// Not without a cache, nor under the validation layer.
+bool keepsResults(const Context& context);
+
 // The key of all that decides the result but the content of the files that the scene is read from: build, device and
 // driver, how they round (job/numerics.h), every condition. Budgets are not in it: they judge afterwards. Nothing where
-// results are not kept (no cache, the validation layer).
+// results are not kept.
 std::optional<std::string> resultKey(Context& context, const Conditions& conditions, const ResultWish& wish);
 
 // The key of the same result with these materials attributed by their terms, as materialsToAttribute lists them view

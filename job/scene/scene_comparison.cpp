@@ -71,7 +71,9 @@ public:
       const Judges judges{*budgets, m_budgets.baseline(), request.name, conditions,
                           m_context.deviceReport().description()};
       const ResultWish wish = wishFor(index, *budgets);
-      const std::optional<std::string> key = resultKey(m_context, conditions, wish);
+      // An empty cache holds no result: how the machine rounds, which is in the key, need not be known yet.
+      const std::optional<std::string> key =
+          m_context.cache().isEmpty() ? std::nullopt : resultKey(m_context, conditions, wish);
       std::optional<SceneRecord> cached = key ? recall(*key, index, judges, scene.inputs) : std::nullopt;
       if (cached && !std::ranges::binary_search(m_request.sentinels, index)) {
         result = std::move(cached->result);
@@ -80,7 +82,7 @@ public:
       } else {
         scene.inputs.clear(); // recalling has read some
         // A sentinel that comes out otherwise must not replace what the cache holds.
-        measureScene(index, wish, cached ? std::nullopt : key, judges, scene);
+        measureScene(index, wish, !cached && keepsResults(m_context), judges, scene);
         if (cached) requireSame(*cached, {result, prefixesOf(request, index), scene.pictures});
       }
       result.passes.push_back(attributionPass(request.settings.attribution, result));
@@ -172,14 +174,19 @@ private:
   }
 
   // Fills the result, view by view: what was done before an error stays. Keeps it for later runs.
-  void measureScene(std::size_t index, const ResultWish& wish, const std::optional<std::string>& key,
-                    const Judges& judges, ComparedScene& scene) {
+  void measureScene(std::size_t index, const ResultWish& wish, bool isKept, const Judges& judges,
+                    ComparedScene& scene) {
     const SceneRequest& request = m_request.scenes[index];
     report::SceneResult& result = scene.result;
     m_context.requireGoesOn();
     m_tell(0, "loading");
     const PathChoice paths = pathsOf(request.settings);
     PreparedScene prepared = beginScene(m_context, request, paths);
+    // What the report or the cache will need of a processor as the device, once a core has nothing better to do.
+    if (m_request.scenes.size() == 1 && m_context.deviceReport().kind == "cpu" && (isKept || !m_request.folder.empty()))
+      m_context.beginNumerics([environments = prepared.pendingEnvironments] {
+        if (environments.isValid()) environments.waitPatiently();
+      });
     scene.inputs = prepared.scene.sources;
     result.environment = prepared.environmentName;
     result.sun = prepared.sunText;
@@ -251,7 +258,7 @@ private:
         compared.view.droppedLights = measureDroppedLights(m_context, prepared, renderer, camera, frames, compared);
         measureDroppedLobes(m_context, prepared, renderer, camera, frames, compared);
       }
-      if (key) plainViews.push_back(compared.view);
+      if (isKept) plainViews.push_back(compared.view);
       std::vector<EncodedPicture> termPictures;
       attributed.push_back(isOurs ? materialsToAttribute(request.settings.attribution, compared.view, judges)
                                   : std::vector<std::size_t>());
@@ -276,10 +283,10 @@ private:
       // Last: a view that is given up leaves no pictures, and a scene without any view no cards.
       if (result.views.empty()) {
         result.materials = cards.get().cards;
-        keepPictures(cards.get().pictures, scene, key ? &plainPictures : nullptr);
+        keepPictures(cards.get().pictures, scene, isKept ? &plainPictures : nullptr);
       }
-      keepPictures(std::move(compared.pictures), scene, key ? &plainPictures : nullptr);
-      keepPictures(std::move(termPictures), scene, key ? &addedPictures : nullptr);
+      keepPictures(std::move(compared.pictures), scene, isKept ? &plainPictures : nullptr);
+      keepPictures(std::move(termPictures), scene, isKept ? &addedPictures : nullptr);
       result.views.push_back(std::move(compared.view));
     });
     scene.inputs = prepared.scene.sources;
@@ -296,6 +303,8 @@ private:
     };
     result.passes = passesOf(renderer.workWithTerms());
     // The same key again: the environment is still what it was when the scene was lit by it.
+    if (!isKept) return;
+    const std::optional<std::string> key = resultKey(m_context, judges.conditions, wish);
     if (!key || resultKey(m_context, conditionsNow(request), wish) != key) return;
     const base::Stopwatch watch(&m_context.timings(), "keep results");
     SceneRecord plain{result, prefixesOf(request, index), std::move(plainPictures)};
