@@ -19,7 +19,7 @@ layout(constant_id = 2) const uint kMustFeatures = 0u;
 layout(constant_id = 3) const uint kDirectionalCount = 0u; // these three may be kUnknown
 layout(constant_id = 4) const uint kLocalCount = 0u; // or kListed
 layout(constant_id = 5) const uint kHasEnvironment = 0u;
-layout(constant_id = 6) const uint kWriteTerms = 0u;
+layout(constant_id = 6) const uint kWriteTerms = 0u; // a bit for each term
 layout(constant_id = 7) const uint kVertexData = 0u; // what some scenes have, and what all have, above kVertexMustShift
 
 layout(set = 0, binding = 0, std140) uniform View { GpuView view; };
@@ -354,10 +354,14 @@ Terms seenThrough(vec4 fog, Terms terms) {
 uint groupInBin() { return gl_WorkGroupID.y * kMaxGroupsInRow + gl_WorkGroupID.x; }
 uint entryIndex() { return groupInBin() * kGroupSize + gl_LocalInvocationID.x; }
 
+bool writesTerm(uint k) { return (kWriteTerms >> k & 1u) != 0u; }
+
 void writeTerms(uint i, Terms terms) {
   if (kWriteTerms == 0u) return;
-  for (uint k = 0u; k < kTermsInA; ++k) outTermsA[k * planeSize + i] = vec4(terms.t[k], 0.0);
-  for (uint k = kTermsInA; k < uint(kTermCount); ++k) outTermsB[(k - kTermsInA) * planeSize + i] = vec4(terms.t[k], 0.0);
+  for (uint k = 0u; k < kTermsInA; ++k)
+    if (writesTerm(k)) outTermsA[k * planeSize + i] = vec4(terms.t[k], 0.0);
+  for (uint k = kTermsInA; k < uint(kTermCount); ++k)
+    if (writesTerm(k)) outTermsB[(k - kTermsInA) * planeSize + i] = vec4(terms.t[k], 0.0);
 }
 
 // The sum of the terms, added in their order.

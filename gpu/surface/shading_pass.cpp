@@ -216,6 +216,23 @@ struct ShadingPass::Impl {
     plan->add(std::move(classes));
   }
 
+  // A bit for each term that some pixel may have: the shader writes no others.
+  std::uint32_t termsToWrite(bool any) const {
+    if (!program.terms) return 0;
+    std::uint32_t terms = (1u << shading::kTermCount) - 1;
+    if (any || program.baked) return terms;
+    using shading::Term;
+    const auto remove = [&](std::initializer_list<Term> absent) {
+      for (const Term term : absent) terms &= ~(1u << static_cast<std::uint32_t>(term));
+    };
+    remove({Term::lightmap});
+    if (program.directionalCount == 0) remove({Term::sunDiffuse, Term::sunSpecular});
+    if (program.localCount == 0 && !program.listLights) remove({Term::localDiffuse, Term::localSpecular});
+    if (!program.environment) remove({Term::skyDiffuse, Term::skySpecular});
+    if ((scene.vertexData() & kVertexFog) == 0) remove({Term::fog});
+    return terms;
+  }
+
   std::vector<std::uint32_t> constantsOf(const Permutation& permutation) const {
     const bool any = permutation.everyScene || program.asksForCounts;
     const std::uint32_t vertexData = scene.vertexData();
@@ -229,7 +246,7 @@ struct ShadingPass::Impl {
                                             any                   ? kUnknown
                                             : program.environment ? 1u
                                                                   : 0u,
-                                            program.terms ? 1u : 0u,
+                                            termsToWrite(any),
                                             any ? kVertexAll : vertexData | vertexData << kVertexMustShift};
     const auto& own = permutation.everyScene && !program.everySceneConstants.empty() ? program.everySceneConstants
                                                                                      : program.constants;
@@ -312,10 +329,12 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   });
   if (!runs) return {};
   if (program.leftOut == 0) result.color = color.downloadAs<glm::vec4>(n);
+  // Shaders of every scene write more than this scene has: zeros.
+  const std::uint32_t terms = program.leftOut != 0 ? ~0u : termsToWrite(false);
   const auto download = [&](std::size_t t) {
-    result.terms[t] = t < kTermsInA ? termsA.downloadAs<glm::vec4>(n, t * plane)
-                      : t < written ? termsB.downloadAs<glm::vec4>(n, (t - kTermsInA) * plane)
-                                    : std::vector<glm::vec4>(n);
+    result.terms[t] = t >= written || (terms >> t & 1u) == 0 ? std::vector<glm::vec4>(n)
+                      : t < kTermsInA                        ? termsA.downloadAs<glm::vec4>(n, t * plane)
+                                                             : termsB.downloadAs<glm::vec4>(n, (t - kTermsInA) * plane);
   };
   if (device.unifiedMemory()) // most of the time goes to new pages of the host's memory
     base::parallelFor(result.terms.size(), 1, [&](std::size_t t, std::size_t) { download(t); });

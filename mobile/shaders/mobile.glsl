@@ -100,7 +100,7 @@ struct BasePass {
 };
 
 void addTerm(inout BasePass pass, int term, real3 value) {
-  if (kWriteTerms != 0u) pass.terms.t[term] = vec3(narrow(widen(add(real3(pass.terms.t[term]), value))));
+  if (writesTerm(uint(term))) pass.terms.t[term] = vec3(narrow(widen(add(real3(pass.terms.t[term]), value))));
 }
 
 // What has been added up leaves as the target holds it: behind the fog, premultiplied, and finite unless it is NaN.

@@ -72,6 +72,18 @@ TEST(Cache, ReturnsWhatWasStoredUnderThatKeyAlone) {
   EXPECT_EQ(Cache(temp.path() / "deep" / "cache").find(hashKeyOf("a")), makeBytes(10, 3));
 }
 
+TEST(Cache, IsEmptyUntilSomethingIsStored) {
+  const TempFolder folder;
+  EXPECT_TRUE(Cache::disabled().isEmpty());
+  EXPECT_TRUE(Cache(folder.path()).isEmpty());
+  const Cache cache(folder.path() / "new");
+  EXPECT_TRUE(cache.isEmpty());
+  ASSERT_TRUE(cache.store(hashKeyOf("a"), makeBytes(10, 1)));
+  EXPECT_FALSE(cache.isEmpty());
+  cache.clear();
+  EXPECT_TRUE(cache.isEmpty());
+}
+
 TEST(Cache, DisabledFindsAndWritesNothing) {
   const Cache cache = Cache::disabled();
   EXPECT_FALSE(cache.enabled());

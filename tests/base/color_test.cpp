@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -91,6 +92,31 @@ TEST(DisplayTransform, ExposureDoublesTheLightPerStop) {
     const DisplayTransform display(name);
     EXPECT_EQ(display.apply(noise, 2), display.apply(brighter)) << name;
     EXPECT_EQ(display.apply(brighter, -2), display.apply(noise)) << name;
+  }
+}
+
+// Runs of equal pixels are encoded once: at the ends, in between, next to each other, short ones and NaN among them.
+TEST(DisplayTransform, EncodesPixelsInARunAsAlone) {
+  Image image(0, 1, 3);
+  const auto append = [&](int count, float red, float green) {
+    for (int i = 0; i < count; ++i) image.pixels.insert(image.pixels.end(), {red, green, 0.7f});
+    image.width += count;
+  };
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  for (const auto& [count, red] :
+       {std::pair(40, 0.1f), {1, 0.2f}, {15, 0.3f}, {16, 0.4f}, {17, 0.5f}, {3, 0.6f}, {90, 0.f}})
+    append(count, red, 0.25f);
+  append(30, 0.f, kNan);
+  append(20, 0.f, 0.26f);
+  for (const std::string& name : DisplayTransform::names()) {
+    const DisplayTransform display(name);
+    const Image shown = display.apply(image, 0.5f);
+    for (int x = 0; x < image.width; ++x) {
+      Image one(1, 1, 3);
+      std::copy_n(image.at(x, 0), 3, one.pixels.begin());
+      const Image alone = display.apply(one, 0.5f);
+      ASSERT_EQ(0, std::memcmp(shown.at(x, 0), alone.pixels.data(), 3 * sizeof(float))) << name << " " << x;
+    }
   }
 }
 

@@ -58,6 +58,18 @@ TEST(FrameBuilder, TilesAreRowsOfThePicture) {
   }
 }
 
+TEST(FrameBuilder, ComposesTheTermsThatAreAskedFor) {
+  for (const int samples : {1, 2}) {
+    FrameBuilder builder(2, 1, samples, {0, 1}, glm::vec3(0));
+    for (int sample = 0; sample < samples; ++sample)
+      add(builder, ShadedLayer{makeSurface({1}), {{glm::vec4(1)}, {{glm::vec4(3)}, {glm::vec4(5)}}}});
+    const base::Frame frame = builder.take();
+    ASSERT_EQ(frame.terms.size(), 2u);
+    EXPECT_TRUE(frame.terms[0].empty());
+    EXPECT_EQ(frame.terms[1].pixels, (std::vector<float>{0, 0, 0, 5, 5, 5}));
+  }
+}
+
 TEST(FrameBuilder, AveragesSamplesInLinearLight) {
   FrameBuilder builder(2, 1, 2, {}, glm::vec3(0));
   add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(1, 1, 1, 1)}, {}}});

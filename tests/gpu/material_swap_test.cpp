@@ -77,7 +77,7 @@ Composed compose(const std::vector<Sample>& samples, float background = 0.25f,
                  const std::optional<TargetCodec>& target = std::nullopt, std::vector<char> wanted = {}) {
   const int count = static_cast<int>(samples.size());
   FrameBuilder reference(kWidth, 1, count, {}, glm::vec3(background)),
-      test(kWidth, 1, count, false, glm::vec3(background), target);
+      test(kWidth, 1, count, {}, glm::vec3(background), target);
   SwapBuilder swap(kMaterialOf, 3, kWidth, count, {glm::vec3(background)}, target, std::move(wanted));
   for (const Sample& sample : samples) {
     reference.begin({0, 1}), test.begin({0, 1}), swap.begin({0, 1});

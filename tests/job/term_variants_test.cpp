@@ -12,6 +12,7 @@ namespace {
 
 using shading::kTermCount;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+const std::vector<std::size_t> kAll = placesOf(std::vector<char>(kTermCount, 1));
 
 // One entry whose terms are these greys; its colour is their sum, or `color`.
 gpu::ShadedSurface makeShaded(const std::vector<float>& terms, float opacity = 1, bool premultiplied = false) {
@@ -81,6 +82,46 @@ TEST(TermVariants, ATermThatIsNaNIsFoundByItsExchange) {
   const TermVariants variants(surface, highend, mobile, kAll, Swap().builder);
   EXPECT_EQ(variants.planes()[1].test[0].x, 0.5f + 0.75f) << "the sum of the others, and the high-end path's";
   EXPECT_TRUE(std::isnan(variants.planes()[2].test[0].x)) << "another term does not mend it";
+}
+
+TEST(TermVariants, AreMadeOfTheTermsThatAreAskedFor) {
+  const gpu::Surface surface = makeSurface();
+  const gpu::ShadedSurface highend = makeShaded({0.5f, 0.25f, 4}), mobile = makeShaded({kNan, 0.25f, 2});
+  const std::vector<std::size_t> terms = {2, 0};
+  const TermVariants variants(surface, highend, mobile, terms, Swap().builder);
+  const std::vector<gpu::SwapPlane> planes = variants.planes();
+  ASSERT_EQ(planes.size(), 3u);
+  EXPECT_TRUE(std::isnan(planes[1].test[0].x));
+  EXPECT_EQ(planes[2].test[0].x, 0.5f + 0.25f + 2) << "a sum of all other terms, asked for or not";
+}
+
+std::vector<std::size_t> usedTerms(const gpu::ShadedSurface& highend, const gpu::ShadedSurface& mobile) {
+  std::vector<char> used(kTermCount, 0);
+  markUsedTerms(highend, mobile, used);
+  return placesOf(used);
+}
+
+TEST(UsedTerms, AreNotZeroInEitherPath) {
+  EXPECT_EQ(usedTerms(makeShaded({0, 0.5f}), makeShaded({0, 0, 1e-30f})), (std::vector<std::size_t>{1, 2}));
+  EXPECT_TRUE(usedTerms(makeShaded({}), makeShaded({})).empty());
+  EXPECT_EQ(usedTerms(makeShaded({kNan}), makeShaded({})), (std::vector<std::size_t>{0}));
+  gpu::ShadedSurface blue = makeShaded({});
+  blue.terms[7][0].z = -1;
+  EXPECT_EQ(usedTerms(blue, makeShaded({})), (std::vector<std::size_t>{7}));
+}
+
+// Exchanging a term for one that is 0, too, mends a colour that overflowed in a sum.
+TEST(UsedTerms, AreAllWhereTheTestsColorIsNotFinite) {
+  gpu::ShadedSurface mobile = makeShaded({0, 0.5f});
+  mobile.color[0].y = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(usedTerms(makeShaded({}), mobile), kAll);
+}
+
+TEST(UsedTerms, StayMarked) {
+  std::vector<char> used(kTermCount, 0);
+  markUsedTerms(makeShaded({1}), makeShaded({}), used);
+  markUsedTerms(makeShaded({0, 1}), makeShaded({}), used);
+  EXPECT_EQ(placesOf(used), (std::vector<std::size_t>{0, 1}));
 }
 
 } // namespace
