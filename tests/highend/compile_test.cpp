@@ -1,6 +1,7 @@
 // What the driver compiles: ahead of shading, and for a shader without terms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -82,6 +83,46 @@ TEST_F(CompileTest, ConstantsWithoutTermsAreThoseOfAShaderThatWritesNone) {
   EXPECT_NE(with.constants, without.constants);
   EXPECT_EQ(with.constantsWithoutTerms(), without.constants);
   EXPECT_EQ(without.constantsWithoutTerms(), without.constants);
+}
+
+// A bit for each term in the constant of path.glsl: others are 0 everywhere, and nobody reads what is not written.
+TEST_F(CompileTest, ShadersWriteTheTermsThatTheSceneMayHave) {
+  const scenes::Scene scene = makeQuadScene();
+  const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
+  const gpu::SceneBuffers buffers(device(), scene, gpu::SpecularAa::off);
+  const gpu::SurfacePass pass(device(), buffers, 8, 8);
+  const gpu::Surface surface = std::move(pass.render(camera, {0, 8}, glm::vec2(0.5f)).back());
+  constexpr std::size_t kConstantTerms = 6;
+  const auto bitsOf = [](std::initializer_list<shading::Term> terms) {
+    std::uint32_t bits = 0;
+    for (const shading::Term term : terms) bits |= 1u << static_cast<std::uint32_t>(term);
+    return bits;
+  };
+  using shading::Term;
+  const std::uint32_t ofLobes = bitsOf({Term::coatSpecular, Term::sheen, Term::transmission});
+  const auto expectWritten = [&](const std::vector<scenes::Light>& lights, std::uint32_t expected) {
+    const Renderer renderer(device(), buffers, pass.binKinds(), {.lights = lights, .terms = true}, kPlain);
+    const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
+    EXPECT_EQ(renderer.pass().compiled().front().constants.at(kConstantTerms), expected | ofLobes);
+    ASSERT_EQ(shaded.terms.size(), shading::kBaseTermCount);
+    for (std::size_t t = 0; t < shaded.terms.size(); ++t) {
+      ASSERT_EQ(shaded.terms[t].size(), surface.size());
+      const bool isZero =
+          std::ranges::all_of(shaded.terms[t], [](const glm::vec4& value) { return value == glm::vec4(0); });
+      EXPECT_TRUE(isZero || (expected >> t & 1u) != 0) << shading::kTermNames[t];
+    }
+  };
+  const scenes::Light sun = tests::makeDirectional(glm::vec3(0, 0, 1), glm::vec3(1));
+  scenes::Light lamp;
+  lamp.kind = scenes::LightKind::point;
+  lamp.position = {0, 0, 1};
+  lamp.color = glm::vec3(1);
+  const std::uint32_t ofSun = bitsOf({Term::sunDiffuse, Term::sunSpecular}),
+                      ofLamp = bitsOf({Term::localDiffuse, Term::localSpecular}), always = bitsOf({Term::emissive});
+  expectWritten({}, always);
+  expectWritten({sun}, ofSun | always);
+  expectWritten({lamp}, ofLamp | always);
+  expectWritten({sun, lamp}, ofSun | ofLamp | always);
 }
 
 } // namespace
