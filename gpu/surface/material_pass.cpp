@@ -12,7 +12,8 @@ PathProgram makeProgram(std::uint64_t expectedEntries, const Compilation& compil
   program.name = "materials";
   program.spirv = kMaterialComp;
   program.spirvOfLobes = kMaterialLobesComp;
-  program.terms = true; // their buffers take the values
+  program.terms = true;
+  program.planesAreTerms = false;
   program.planesOfLobes = kPlaneCount;
   program.expectedPixels = expectedEntries;
   program.compilation = compilation;
