@@ -156,14 +156,16 @@ public:
                 .view = inputs.intermediate,
                 .compilation = inputs.compilation,
                 .expectedPixels = inputs.expectedPixels};
-    base::Image unread[2]; // in place of tables that are still being made
-    const auto tableOf = [&](const Table& table, int channels) -> const base::Image* {
+    // A renderer that only compiles is given empty tables while those of its path are being made.
+    base::Image emptyLut, emptySheenTable;
+    const auto tableOf = [&](const Table& table, int channels, base::Image& empty) -> const base::Image* {
       if (!inputs.onlyCompiles) return inputs.services.store.get(table.name, table.make);
       inputs.services.store.begin(table.name, table.make);
-      return &(unread[channels == 1] = base::Image(own.lutSize, own.lutSize, channels));
+      empty = base::Image(own.lutSize, own.lutSize, channels);
+      return &empty;
     };
-    if (needsSheenTable(inputs)) mine.sheenTable = tableOf(sheenTableOf(own, inputs.services), 1);
-    if (Renderer::needsLut(mine, own)) mine.lut = tableOf(lutOf(own, inputs.services), 4);
+    if (needsSheenTable(inputs)) mine.sheenTable = tableOf(sheenTableOf(own, inputs.services), 1, emptySheenTable);
+    if (Renderer::needsLut(mine, own)) mine.lut = tableOf(lutOf(own, inputs.services), 4, emptyLut);
     return std::make_unique<Renderer>(inputs.device, inputs.buffers, inputs.binKinds, mine, own);
   }
 

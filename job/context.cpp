@@ -94,7 +94,7 @@ const std::string& Context::numerics() {
 }
 
 void Context::beginNumerics(const std::function<void()>& after) {
-  if (!m_numerics.empty() || m_pendingNumerics.isValid()) return;
+  if (!m_numerics.empty() || m_pendingNumerics.isValid() || base::threadCount() == 1) return;
   m_ofNumerics = std::make_shared<Context>(*this, ForAnotherThread{});
   m_pendingNumerics = base::Background<std::string>::begin([after, context = m_ofNumerics] {
     after();

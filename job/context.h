@@ -66,8 +66,8 @@ public:
   const std::string& buildId() const { return m_buildId; }
   // How this machine rounds (job/numerics.h); made on first use. Throws Error (exit 4).
   const std::string& numerics();
-  // Begins to make it in the background, by a device of its own, once `after` returns. What `after` refers to must
-  // outlive this.
+  // Begins to make it in the background, by a device of its own, once `after` returns. With one thread it does nothing.
+  // What `after` refers to must outlive this.
   void beginNumerics(const std::function<void()>& after);
 
   // The environment of a file as it is now, with the warnings that reading it gave; the last one that the run has read
@@ -98,15 +98,16 @@ private:
   std::optional<gpu::DeviceReport> m_deviceReport;
   paths::Store m_store;
   std::set<gpu::PipelineStore::Key> m_takenShaders;
-  std::shared_ptr<Context> m_ofNumerics;           // in the background
-  base::Background<std::string> m_pendingNumerics; // until numerics() takes it
-  struct Lights {                                  // of all contexts of a run
+  struct Lights { // of all contexts of a run
     std::mutex loadMutex;
     std::shared_ptr<const LoadedEnvironment> loaded;
     std::mutex mutex;
     std::deque<std::pair<std::string, std::shared_ptr<const lighting::EnvironmentLight>>> latest; // the first is
   };
   std::shared_ptr<Lights> m_lights = std::make_shared<Lights>();
+  std::shared_ptr<Context> m_ofNumerics; // in the background
+  // Until numerics() takes it. Ends before all else, because what it waits for uses this context.
+  base::Background<std::string> m_pendingNumerics;
 };
 
 } // namespace parity::job

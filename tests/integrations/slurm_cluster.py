@@ -187,11 +187,12 @@ class Cluster:
         daemon.kill()
         daemon.wait()
         steps = self.steps(node)
-        for pid in steps:
-            try:
-                os.kill(pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
+        for each in (signal.SIGSTOP, signal.SIGKILL): # else a slurmstepd that outlives its script would report that it failed
+            for pid in steps:
+                try:
+                    os.kill(pid, each)
+                except ProcessLookupError:
+                    pass
         return len(steps)
 
     def run(self, *command):
