@@ -22,7 +22,7 @@ public:
     Background result;
     result.m_isWaitedFor = std::make_shared<std::atomic<bool>>(false);
     const auto policy = threadCount() > 1 ? std::launch::async : std::launch::deferred;
-    result.m_made = std::async(policy, [make = std::move(make), isWaitedFor = result.m_isWaitedFor] {
+    result.m_made = std::async(policy, [make = std::move(make), isWaitedFor = result.m_isWaitedFor]() mutable {
                       const LoopsInBackground background(*isWaitedFor);
                       return make();
                     }).share();

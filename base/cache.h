@@ -45,7 +45,7 @@ public:
   // look empty while another machine renames it. key: 1 to 128 of [0-9a-zA-Z_-], as base::Hasher::hex() makes it.
   std::optional<std::vector<std::byte>> find(const std::string& key) const;
 
-  // Whether nothing is stored: find() needs not be asked.
+  // Whether nothing is stored: find() need not be asked.
   bool isEmpty() const;
 
   // Keeps the bytes, then removes the entries used longest ago until the folder is within maxBytes. More bytes than

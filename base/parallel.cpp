@@ -52,12 +52,11 @@ thread_local const std::atomic<bool>* tIsWaitedFor = nullptr;
 
 } // namespace
 
-LoopsInBackground::LoopsInBackground(const std::atomic<bool>& isWaitedFor) {
-  assert(!tIsWaitedFor);
+LoopsInBackground::LoopsInBackground(const std::atomic<bool>& isWaitedFor) : m_outer(tIsWaitedFor) {
   tIsWaitedFor = &isWaitedFor;
 }
 
-LoopsInBackground::~LoopsInBackground() { tIsWaitedFor = nullptr; }
+LoopsInBackground::~LoopsInBackground() { tIsWaitedFor = m_outer; }
 
 struct ThreadLimit::Impl {
   explicit Impl(std::size_t threads) : control(tbb::global_control::max_allowed_parallelism, threads) {}

@@ -35,6 +35,9 @@ public:
   ~LoopsInBackground();
   LoopsInBackground(const LoopsInBackground&) = delete;
   LoopsInBackground& operator=(const LoopsInBackground&) = delete;
+
+private:
+  const std::atomic<bool>* m_outer; // of one around this; null: none
 };
 
 // Runs the tasks at the same time as far as there are threads (so none may wait for another). When all have ended,

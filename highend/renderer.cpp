@@ -103,6 +103,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                    const Inputs& inputs, const Options& options) {
   gpu::PathProgram program;
   program.name = "highend";
+  program.termsFollowLight = true;
   program.spirv = programOf(options, false);
   program.spirvOfLobes = scene.hasLobes() ? programOf(options, true) : program.spirv; // where it is asked for
   // Directional ones, those that reach everything, the others: with and without lists in one order.

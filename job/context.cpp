@@ -86,6 +86,7 @@ const std::string& Context::numerics() {
     if (const auto pending = std::exchange(m_pendingNumerics, {}); pending.isValid()) {
       m_numerics = pending.get();
       take(*m_ofNumerics);
+      m_ofNumerics.reset();
     } else {
       m_numerics = numericsId(*this);
     }
@@ -93,14 +94,15 @@ const std::string& Context::numerics() {
   return m_numerics;
 }
 
-void Context::beginNumerics(const std::function<void()>& after) {
+void Context::beginNumerics(std::function<void()> after) {
   if (!m_numerics.empty() || m_pendingNumerics.isValid() || base::threadCount() == 1) return;
   m_ofNumerics = std::make_shared<Context>(*this, ForAnotherThread{});
-  m_pendingNumerics = base::Background<std::string>::begin([after, context = m_ofNumerics] {
-    after();
-    hashOfThisBuild(); // the run's record will ask for it, too
-    return numericsId(*context);
-  });
+  m_pendingNumerics =
+      base::Background<std::string>::begin([after = std::move(after), context = m_ofNumerics]() mutable {
+        std::exchange(after, {})(); // with what it holds
+        hashOfThisBuild();          // the run's record will ask for it, too
+        return numericsId(*context);
+      });
 }
 
 const gpu::DeviceReport& Context::deviceReport() {

@@ -68,7 +68,7 @@ public:
   const std::string& numerics();
   // Begins to make it in the background, by a device of its own, once `after` returns. With one thread it does nothing.
   // What `after` refers to must outlive this.
-  void beginNumerics(const std::function<void()>& after);
+  void beginNumerics(std::function<void()> after);
 
   // The environment of a file as it is now, with the warnings that reading it gave; the last one that the run has read
   // is at hand, known by its content. Thread-safe. Throws Error as scenes::loadEnvironment does.

@@ -131,6 +131,7 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                    const Inputs& inputs, const Options& options) {
   gpu::PathProgram program;
   program.name = "mobile";
+  program.termsFollowLight = true;
   const Precision precision = precisionOn(device.report(), options);
   program.spirv = programOf(options, {.precision = precision, .lobes = false, .wide = inputs.wide});
   program.spirvOfLobes = !scene.hasLobes()

@@ -71,7 +71,7 @@ struct Inputs {
   const gpu::Textures* textures = nullptr;     // in the path's own blocks; null: the scene's
   bool asksForShadows = false;                 // of all lights, as far as the path can
   const gpu::ShadowOptions& shadowMaps;
-  bool onlyCompiles = false; // the renderer shades nothing: what shaders only read may be any
+  bool onlyCompiles = false; // the renderer shades nothing: tables may hold anything
   bool terms = false;
   std::size_t leftOut = 0; // at most gpu::kMaxLeftOut; not 0: so many pictures in place of the terms (leaveOut)
   std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: what to leave out, of a path that hidesLobes

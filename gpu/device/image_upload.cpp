@@ -28,7 +28,7 @@ vk::DeviceSize stagingBytes(const DeviceImage::Shape& shape) {
   return std::min(total, kMaxStagingBytes);
 }
 
-// Most of the time goes to new pages of memory.
+// Most of the time goes to new pages of memory, so all threads copy.
 void copyBytes(std::span<const std::byte> from, std::byte* to) {
   constexpr std::size_t kGrainBytes = std::size_t{1} << 20;
   base::parallelFor(from.size(), kGrainBytes, [&](std::size_t begin, std::size_t end) {

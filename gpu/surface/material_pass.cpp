@@ -12,8 +12,7 @@ PathProgram makeProgram(std::uint64_t expectedEntries, const Compilation& compil
   program.name = "materials";
   program.spirv = kMaterialComp;
   program.spirvOfLobes = kMaterialLobesComp;
-  program.terms = true;
-  program.planesAreTerms = false;
+  program.terms = true; // their planes take the values
   program.planesOfLobes = kPlaneCount;
   program.expectedPixels = expectedEntries;
   program.compilation = compilation;

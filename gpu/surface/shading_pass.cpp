@@ -219,7 +219,7 @@ struct ShadingPass::Impl {
   // A bit for each term that some pixel may have: the shader writes no others.
   std::uint32_t termsToWrite(bool any) const {
     if (!program.terms) return 0;
-    if (!program.planesAreTerms) return ~0u;
+    if (!program.termsFollowLight) return ~0u;
     std::uint32_t terms = (1u << shading::kTermCount) - 1;
     if (any || program.baked) return terms;
     using shading::Term;

@@ -67,7 +67,9 @@ struct PathProgram {
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same
   bool asksForCounts = false; // at run time, as permutations of every scene do: for lights, environment and vertex data
   bool terms = false;
-  bool planesAreTerms = true; // false: the shader writes other values in their place, always all of them
+  // The shader's terms of light are 0 where directionalCount, localCount with listLights, environment, baked, or the
+  // scene's fog is none: it need not write them. False: it may write any values in their planes.
+  bool termsFollowLight = false;
   std::size_t leftOut = 0; // at most kMaxLeftOut; not 0: so many pictures, each without a light, in place of the terms
   std::size_t planesOfLobes = shading::kTermCount; // that spirvOfLobes writes where it writes terms
   bool premultiplied = false;                      // the shader multiplies colour and terms by the opacity

@@ -182,11 +182,6 @@ private:
     m_tell(0, "loading");
     const PathChoice paths = pathsOf(request.settings);
     PreparedScene prepared = beginScene(m_context, request, paths);
-    // What the report or the cache will need of a processor as the device, once a core has nothing better to do.
-    if (m_request.scenes.size() == 1 && m_context.deviceReport().kind == "cpu" && (isKept || !m_request.folder.empty()))
-      m_context.beginNumerics([environments = prepared.pendingEnvironments] {
-        if (environments.isValid()) environments.waitPatiently();
-      });
     scene.inputs = prepared.scene.sources;
     result.environment = prepared.environmentName;
     result.sun = prepared.sunText;
@@ -213,6 +208,11 @@ private:
     // As if nothing were attributed, and what attribution adds: another run's budgets may ask for the one alone.
     std::vector<report::ViewResult> plainViews;
     std::vector<EncodedPicture> plainPictures, addedPictures;
+    // What the report or the cache will need of a processor as the device, once a core has nothing better to do.
+    if (m_request.scenes.size() == 1 && m_context.deviceReport().kind == "cpu" && (isKept || !m_request.folder.empty()))
+      m_context.beginNumerics([environments = prepared.pendingEnvironments] {
+        if (environments.isValid()) environments.waitPatiently();
+      });
     // While the scene goes to the device. An image is freed once both have read it.
     const auto cards = base::Background<MaterialCards>::begin([&] {
       const base::Stopwatch watch(&m_context.timings(), "material cards");
@@ -220,7 +220,8 @@ private:
     });
     gpu::ImageDone release = imageRelease(prepared, paths);
     if (release)
-      release = [cards, free = std::move(release)](int image) {
+      release = [cards, &prepared, free = std::move(release)](int image) {
+        if (prepared.scene.images[static_cast<std::size_t>(image)].pixels.empty()) return;
         cards.wait();
         free(image);
       };

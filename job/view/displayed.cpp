@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <span>
 
+#include <fmt/format.h>
+
+#include "base/error.h"
 #include "base/parallel.h"
 #include "base/raw_vector.h"
 
@@ -21,6 +24,9 @@ std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(std::clamp(v
 } // namespace
 
 Displayed displayImage(const base::Image& color, const base::DisplayTransform& display, float exposureEv) {
+  if (color.channels != 3 || color.empty())
+    throw base::Error(base::ExitCode::failed, "display", "",
+                      fmt::format("needs an RGB image, not one of {} channels", color.channels));
   Displayed out{base::Image8(color.width, color.height, 3), {}};
   std::vector<std::vector<std::uint32_t>> nonFinite(color.pixelCount() / kGrainPixels + 1);
   base::parallelFor(color.pixelCount(), kGrainPixels, [&](std::size_t begin, std::size_t end) {

@@ -89,13 +89,14 @@ Bundle makeBundle(std::vector<Patch> patches) {
 // What the horizon may do to a part of the sky, seen from all normals of a tile.
 enum class Horizon { below, cuts, above };
 Horizon horizonOf(const Cone& tile, const Cone& sky) {
-  // The angle between the axes is compared with pi/2 less (more) the reach: its cosine with the sine of the reach.
+  // Above: the cosine between the axes is at least the sine of the reach, that is of both angles and a margin. Below:
+  // it is at most the sine's negative. sin(reach + margin) = sine + margin cosine, to 1e-12.
   constexpr double kMargin = 1e-6; // radians
   if (tile.angle + sky.angle + kMargin >= pi / 2) return Horizon::cuts;
   const double sine = tile.sine * sky.cosine + tile.cosine * sky.sine,
                cosine = tile.cosine * sky.cosine - tile.sine * sky.sine;
   const double between = glm::dot(tile.axis, sky.axis);
-  if (std::abs(between) < sine + kMargin * cosine) return Horizon::cuts;
+  if (!(std::abs(between) >= sine + kMargin * cosine)) return Horizon::cuts;
   return between > 0 ? Horizon::above : Horizon::below;
 }
 

@@ -139,6 +139,7 @@ int samplesOfMip(int mip, const PrefilterOptions& options) {
 
 std::vector<std::vector<glm::vec4>> prefilter(const FilterSource& source, int mip, int firstLayer, int endLayer,
                                               const PrefilterOptions& options) {
+  if (firstLayer >= endLayer) return {};
   const int size = options.faceSize >> mip;
   std::vector<LevelLobe> lobes;
   for (int layer = firstLayer; layer < endLayer; ++layer) lobes.push_back(makeLevelLobe(mip, layer, options));

@@ -100,6 +100,7 @@ struct BasePass {
 };
 
 void addTerm(inout BasePass pass, int term, real3 value) {
+  if (kWriteTerms == 0u) return;
   if (writesTerm(uint(term))) pass.terms.t[term] = vec3(narrow(widen(add(real3(pass.terms.t[term]), value))));
 }
 

@@ -96,6 +96,25 @@ TEST_F(ThirdPath, IsRenderedWithItsKnob) {
   EXPECT_TRUE(contains(runParity({"knobs"}).out, "albedo-scale"));
 }
 
+// It binds no maps of the environment: its light comes from coefficients. No term is taken for 0 by what is bound.
+TEST_F(ThirdPath, HasTheTermsThatItsShaderWrites) {
+  const auto meanOf = [&](const std::vector<std::string>& term) {
+    const std::string file = (m_folder / "a.exr").string();
+    EXPECT_TRUE(exitedWith(
+        0, runParity(join({{"render", "builtin:spheres", "--path", "lambert", "--env", "builtin:studio", "-o", file},
+                           term,
+                           kSmall,
+                           kRoughSky,
+                           kSun}))));
+    const base::Image image = base::readImage(file);
+    double sum = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) sum += image.pixels[i];
+    return sum / static_cast<double>(image.pixels.size());
+  };
+  EXPECT_GT(meanOf({"--term", "skyDiffuse"}), 0.01);
+  EXPECT_EQ(meanOf({"--term", "skySpecular"}), 0);
+}
+
 TEST_F(ThirdPath, StandsInBenchAndStress) {
   const RunResult list = runParity(join({{"bench", "--list"}, kThree}));
   EXPECT_TRUE(contains(list.out, "lambert: default")) << list.out;
