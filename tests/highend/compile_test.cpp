@@ -66,16 +66,24 @@ TEST_F(CompileTest, AheadIsWhatShadingNeedsAndRunsNothing) {
   EXPECT_EQ(pipelines().keys().size(), 1u);
 }
 
+// A quad that is rasterised.
+struct QuadView {
+  explicit QuadView(const gpu::Device& device)
+      : buffers(device, scene, gpu::SpecularAa::off), pass(device, buffers, 8, 8),
+        surface(std::move(pass.render(camera, {0, 8}, glm::vec2(0.5f)).back())) {}
+  scenes::Scene scene = makeQuadScene();
+  scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
+  gpu::SceneBuffers buffers;
+  gpu::SurfacePass pass;
+  gpu::Surface surface;
+};
+
 TEST_F(CompileTest, ConstantsWithoutTermsAreThoseOfAShaderThatWritesNone) {
-  const scenes::Scene scene = makeQuadScene();
-  const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
-  const gpu::SceneBuffers buffers(device(), scene, gpu::SpecularAa::off);
-  const gpu::SurfacePass pass(device(), buffers, 8, 8);
-  const gpu::Surface surface = std::move(pass.render(camera, {0, 8}, glm::vec2(0.5f)).back());
+  const QuadView quad(device());
   const auto compiledBy = [&](bool terms) {
     Inputs inputs{.lights = {tests::makeDirectional(glm::vec3(0, 0, 1), glm::vec3(1))}, .terms = terms};
-    const Renderer renderer(device(), buffers, pass.binKinds(), inputs, kPlain);
-    renderer.shade(surface, camera);
+    const Renderer renderer(device(), quad.buffers, quad.pass.binKinds(), inputs, kPlain);
+    renderer.shade(quad.surface, quad.camera);
     return renderer.pass().compiled().front();
   };
   const gpu::CompiledPermutation with = compiledBy(true), without = compiledBy(false);
@@ -86,11 +94,7 @@ TEST_F(CompileTest, ConstantsWithoutTermsAreThoseOfAShaderThatWritesNone) {
 
 // A bit for each term in the constant of path.glsl: others are 0 everywhere, and nobody reads what is not written.
 TEST_F(CompileTest, ShadersWriteTheTermsThatTheSceneMayHave) {
-  const scenes::Scene scene = makeQuadScene();
-  const scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
-  const gpu::SceneBuffers buffers(device(), scene, gpu::SpecularAa::off);
-  const gpu::SurfacePass pass(device(), buffers, 8, 8);
-  const gpu::Surface surface = std::move(pass.render(camera, {0, 8}, glm::vec2(0.5f)).back());
+  const QuadView quad(device());
   constexpr std::size_t kConstantTerms = 6;
   const auto bitsOf = [](std::initializer_list<shading::Term> terms) {
     std::uint32_t bits = 0;
@@ -100,11 +104,11 @@ TEST_F(CompileTest, ShadersWriteTheTermsThatTheSceneMayHave) {
   using shading::Term;
   const std::uint32_t ofLobes = bitsOf({Term::coatSpecular, Term::sheen, Term::transmission});
   const auto expectWritten = [&](const std::vector<scenes::Light>& lights, std::uint32_t expected) {
-    const Renderer renderer(device(), buffers, pass.binKinds(), {.lights = lights, .terms = true}, kPlain);
-    const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
+    const Renderer renderer(device(), quad.buffers, quad.pass.binKinds(), {.lights = lights, .terms = true}, kPlain);
+    const gpu::ShadedSurface shaded = renderer.shade(quad.surface, quad.camera);
     EXPECT_EQ(renderer.pass().compiled().front().constants.at(kConstantTerms), expected | ofLobes);
     ASSERT_EQ(shaded.terms.size(), shading::kBaseTermCount);
-    for (std::size_t i = 0; i < surface.size(); ++i) { // a term that is missing would be missing in the sum
+    for (std::size_t i = 0; i < quad.surface.size(); ++i) { // a term that is missing would be missing in the sum
       glm::vec4 sum(0);
       for (const std::vector<glm::vec4>& term : shaded.terms) sum += term.at(i);
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], shaded.color[i][c], 1e-6f) << i;
