@@ -83,8 +83,11 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
   start.release();
   const auto runRange = [&](std::size_t i) {
     start.acquire();
+    struct AtEnd { // also where the body throws
+      Order& order;
+      ~AtEnd() { order.release(); }
+    } const atEnd{end};
     body(i * grain, i * grain + std::min(grain, count - i * grain));
-    end.release();
   };
   if (ranges == 1) return runRange(0);
   std::size_t first = 0;
@@ -92,7 +95,12 @@ void parallelFor(std::size_t count, std::size_t grain, const std::function<void(
     while (first < ranges && !*tIsWaitedFor) runRange(first++);
   // Isolated: while it waits for its own ranges, a thread takes no task of an outer loop, which might want a lock that
   // the caller holds.
-  tbb::this_task_arena::isolate([&] { tbb::parallel_for(first, ranges, runRange, tbb::simple_partitioner{}); });
+  try {
+    tbb::this_task_arena::isolate([&] { tbb::parallel_for(first, ranges, runRange, tbb::simple_partitioner{}); });
+  } catch (...) {
+    end.acquire();
+    throw;
+  }
   end.acquire();
 }
 
