@@ -1,6 +1,7 @@
 #include "gpu/device/image.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/error.h"
 #include "gpu/device/image_upload.h"
@@ -58,6 +59,8 @@ DeviceImage::DeviceImage(const Device& device, const Shape& shape, std::span<con
   for (std::uint32_t mip = 0; mip < mips.size(); ++mip) upload.write(mip, mips[mip]);
   upload.finish();
 }
+
+std::uint32_t standInSide(std::uint32_t side) { return std::has_single_bit(side) ? std::min(side, 2u) : 3; }
 
 void changeLayout(const vk::raii::CommandBuffer& commands, const DeviceImage& image, vk::ImageLayout from,
                   vk::ImageLayout to) {

@@ -48,6 +48,10 @@ private:
   vk::raii::ImageView m_view{nullptr};
 };
 
+// The side of a small image that stands for one of this side: lavapipe compiles a shader anew for each kind of image,
+// and tells them apart by having mips, and by sides that are powers of two.
+std::uint32_t standInSide(std::uint32_t side);
+
 // Records a layout change of all of `image`, after all that came before.
 void changeLayout(const vk::raii::CommandBuffer& commands, const DeviceImage& image, vk::ImageLayout from,
                   vk::ImageLayout to);

@@ -121,9 +121,30 @@ Textures::Textures(const Device& device, const scenes::Scene& scene, bool normal
   countReads();
   m_samplers.push_back(makeSampler(device, {}));
   for (const scenes::Sampler& sampler : samplers) m_samplers.push_back(makeSampler(device, sampler));
-  const base::Image8 white(2, 2, 4, 255);
-  m_whiteColor = upload(device, white, true, nullptr, {}, [] {});
-  m_whiteData = upload(device, white, false, nullptr, {}, [] {});
+  makeWhites();
+}
+
+void Textures::makeWhites() {
+  std::vector<std::tuple<bool, int, int>> kinds; // of m_whites: is colour, sides
+  for (int slot = 0; slot < kSlotCount; ++slot) {
+    std::tuple kind(useOf(slot, false) == Use::color, 2, 2);
+    Binding& binding = m_whiteOfSlot[slot];
+    for (const std::vector<Binding>& set : m_sets) {
+      if (set[slot].image < 0) continue;
+      const base::Image8& like = m_scene.images[m_sources[set[slot].image].image].pixels;
+      if (like.pixels.empty()) continue; // nothing reads it
+      const auto sideLike = [](int side) { return static_cast<int>(standInSide(static_cast<std::uint32_t>(side))); };
+      std::get<1>(kind) = sideLike(like.width), std::get<2>(kind) = sideLike(like.height);
+      binding.sampler = set[slot].sampler;
+      break;
+    }
+    const auto known = std::ranges::find(kinds, kind);
+    binding.image = static_cast<int>(known - kinds.begin());
+    if (known != kinds.end()) continue;
+    kinds.push_back(kind);
+    const auto [isColor, width, height] = kind;
+    m_whites.push_back(upload(m_device, base::Image8(width, height, 4, 255), isColor, nullptr, {}, [] {}));
+  }
 }
 
 void Textures::require(std::span<const Need> needs) const {
@@ -167,11 +188,10 @@ std::vector<vk::DescriptorImageInfo> Textures::bindings(const Need& need) const 
   require(std::span(&need, 1));
   std::vector<vk::DescriptorImageInfo> infos;
   for (int slot = 0; slot < kSlotCount; ++slot) {
-    const Binding& binding = m_sets[need.set][slot];
-    const bool isNeeded = (need.slots >> slot & 1u) != 0 && binding.image >= 0;
-    const DeviceImage& white = useOf(slot, false) == Use::color ? m_whiteColor : m_whiteData;
-    infos.emplace_back(*m_samplers[isNeeded ? binding.sampler : 0],
-                       isNeeded ? m_images[binding.image]->view() : white.view(),
+    const Binding& own = m_sets[need.set][slot];
+    const bool isNeeded = (need.slots >> slot & 1u) != 0 && own.image >= 0;
+    const Binding& binding = isNeeded ? own : m_whiteOfSlot[slot];
+    infos.emplace_back(*m_samplers[binding.sampler], (isNeeded ? *m_images[own.image] : m_whites[binding.image]).view(),
                        vk::ImageLayout::eShaderReadOnlyOptimal);
   }
   return infos;

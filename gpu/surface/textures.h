@@ -1,6 +1,7 @@
 // The scene's textures on the device, those that something seen reads: mips made on the CPU, alike on every device.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "gpu/device/image.h"
+#include "gpu/shaders/interface.h"
 #include "scenes/scene.h"
 
 namespace parity::gpu {
@@ -63,6 +65,7 @@ private:
     Use use = Use::color;
     auto operator<=>(const Source&) const = default;
   };
+  void makeWhites();
   void countReads();
   void countAsRead(int image) const;
 
@@ -76,9 +79,10 @@ private:
   std::vector<vk::raii::Sampler> m_samplers;
   std::vector<std::vector<Binding>> m_sets;
   std::vector<std::uint32_t> m_setOfMaterial;
-  // For colour and for data, with mips: lavapipe compiles a shader anew for each kind of texture that it is given, so
-  // that none should look like most.
-  DeviceImage m_whiteColor, m_whiteData;
+  // What a slot without a texture is given: white, as another material's texture there, which lavapipe compiles the
+  // shader for (standInSide).
+  std::vector<DeviceImage> m_whites;
+  std::array<Binding, kSlotCount> m_whiteOfSlot; // image: into m_whites
 };
 
 // How many pairs of an image and a sampler a material's shader reads, of these slots (bits): a pair that several slots
