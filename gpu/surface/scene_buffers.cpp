@@ -262,4 +262,10 @@ void SceneBuffers::setFactors(std::size_t index, const scenes::Material& materia
   materials.upload(std::as_bytes(std::span(&packed, 1)), index * sizeof(packed));
 }
 
+Buffer SceneBuffers::materialsWithout(const Device& device, std::uint32_t features) const {
+  std::vector<GpuMaterial> all = materials.downloadAs<GpuMaterial>(m_scene.materials.size());
+  for (GpuMaterial& material : all) material.flags.x &= ~features;
+  return makeBuffer(device, std::span<const GpuMaterial>(all), m_scene, "materials");
+}
+
 } // namespace parity::gpu

@@ -33,12 +33,9 @@ DeviceImage makeWhite(const Device& device, bool array = false) {
   return DeviceImage(device, {.width = 1, .height = 1, .mips = 1, .array = array}, std::span{&mip, 1});
 }
 
-// As a backdrop that covers nothing.
-DeviceImage makeBlackArray(const Device& device) {
-  const std::vector<float> black(std::size_t{4} * kBackdropLayers, 0.f);
-  const std::span<const std::byte> mip = std::as_bytes(std::span{black});
-  return DeviceImage(device, {.format = kBackdropFormat, .array = true, .arraySize = kBackdropLayers},
-                     std::span{&mip, 1});
+// Of pictures of this size, where none was rendered.
+Backdrop makeNothingBehind(const Device& device, std::uint32_t width, std::uint32_t height) {
+  return BackdropBuilder(standInSide(width), standInSide(height), 1).take(device);
 }
 
 vk::raii::Sampler makeLinearClamp(const Device& device) {
@@ -118,10 +115,12 @@ struct ShadingPass::Impl {
   const SceneBuffers& scene;
   std::vector<BinKind> kinds;
   PathProgram program;
-  DeviceImage blackCube, white, whiteArray, nothingBehind;
+  DeviceImage blackCube, white, whiteArray;
   const Backdrop* backdrop = nullptr;
+  std::optional<Backdrop> nothingBehind; // made when the size of the pictures is known
   vk::raii::Sampler linearClamp;
   Buffer view, lights, pathData, nothing, nothingUniform;
+  Buffer materials; // without program.hiddenFeatures; empty where they are left to the shader
   vk::raii::DescriptorSetLayout textureLayout{nullptr}, surfaceLayout{nullptr};
   std::vector<std::unique_ptr<DescriptorSets>> textureSets; // of each kind of bin that was seen
   vk::raii::PipelineLayout layout{nullptr};
@@ -135,9 +134,8 @@ struct ShadingPass::Impl {
 
   Impl(const Device& dev, const SceneBuffers& buffers, const std::vector<BinKind>& binKinds, PathProgram p)
       : device(dev), scene(buffers), kinds(binKinds), program(std::move(p)), blackCube(makeBlackCube(dev)),
-        white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), nothingBehind(makeBlackArray(dev)),
-        linearClamp(makeLinearClamp(dev)), view(dev, sizeof(GpuView)),
-        lights(dev, std::span<const GpuLight>(program.lights)),
+        white(makeWhite(dev)), whiteArray(makeWhite(dev, true)), linearClamp(makeLinearClamp(dev)),
+        view(dev, sizeof(GpuView)), lights(dev, std::span<const GpuLight>(program.lights)),
         pathData(dev, std::span<const std::uint32_t>(withCounts(buffers, program))), nothing(dev, 0),
         nothingUniform(dev, std::span<const std::byte>(std::vector<std::byte>(kLargestUniform))),
         shadesLobes(buffers.hasLobes() && !program.spirvOfLobes.empty()),
@@ -148,9 +146,17 @@ struct ShadingPass::Impl {
                                                      buffers.textureBits(), classesOf(kinds))),
         store(program.compilation.store ? *program.compilation.store : ownStore) {
     if (shadesLobes) program.spirv = program.spirvOfLobes;
+    if (hidesAtRunTime()) materials = scene.materialsWithout(device, program.hiddenFeatures);
     const auto none = textures().bindings({});
     textureLayout = makeSetLayout(device, std::vector<Binding>(none.begin(), none.end()), kCompute);
     textureSets.resize(kinds.size());
+  }
+
+  bool hidesAtRunTime() const { return program.hiddenFeatures != 0 && program.compilation.plan; }
+  // That its shader leaves out.
+  std::uint32_t hiddenIn(const Permutation& permutation) const {
+    const bool atRunTime = hidesAtRunTime() && (permutation.mustFeatures & program.hiddenFeatures) == 0;
+    return atRunTime ? 0 : program.hiddenFeatures;
   }
 
   const Textures& textures() const { return program.textures ? *program.textures : scene.textures(); }
@@ -168,8 +174,8 @@ struct ShadingPass::Impl {
 
   std::vector<Binding> surfaceBindings(const Surface& s, const Buffer& data, const Buffer& color, const Buffer& termsA,
                                        const Buffer& termsB) const {
-    std::vector<Binding> bindings = {uniform(view), storage(scene.materials), storage(scene.instances), storage(lights),
-                                     storage(data)};
+    std::vector<Binding> bindings = {uniform(view), storage(hidesAtRunTime() ? materials : scene.materials),
+                                     storage(scene.instances), storage(lights), storage(data)};
     for (const Buffer* buffer : {&s.position, &s.normal, &s.tangent, &s.uv, &s.uv0Derivatives, &s.uv1Derivatives,
                                  &s.color, &s.fog, &s.lightmap, &color, &termsA, &termsB})
       bindings.push_back(storage(*buffer));
@@ -198,18 +204,20 @@ struct ShadingPass::Impl {
         *linearClamp, sky && sky->panorama ? sky->panorama->view() : white.view(), kReadOnlyLayout));
     bindings.push_back(uniform(sky && sky->lamps ? *sky->lamps : nothingUniform));
     bindings.push_back(uniform(sky && sky->points ? *sky->points : nothingUniform));
-    bindings.push_back(vk::DescriptorImageInfo(*linearClamp, backdrop ? backdrop->image().view() : nothingBehind.view(),
-                                               kReadOnlyLayout));
+    bindings.push_back(
+        vk::DescriptorImageInfo(*linearClamp, (backdrop ? *backdrop : *nothingBehind).image().view(), kReadOnlyLayout));
     return bindings;
   }
 
-  // For the classes that this surface is the first to show, scaled to what the whole run will shade.
-  void planFor(const Surface& surface) {
+  // For the classes that these bins are the first to show, scaled to what the whole run will shade.
+  void planFor(std::span<const Bin> bins) {
     std::map<MaterialClass, std::uint64_t> pixels;
-    for (const Bin& bin : surface.bins)
+    std::uint64_t size = 0;
+    for (const Bin& bin : bins) {
+      size += bin.count;
       if (const MaterialClass& c = kinds[bin.key].materialClass; !plan->has(c)) pixels[c] += bin.count;
-    const double scale =
-        std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(surface.size()));
+    }
+    const double scale = std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(size));
     std::vector<ClassPixels> classes;
     for (const auto& [c, count] : pixels)
       classes.push_back({c, static_cast<std::uint64_t>(static_cast<double>(count) * scale)});
@@ -236,10 +244,10 @@ struct ShadingPass::Impl {
 
   std::vector<std::uint32_t> constantsOf(const Permutation& permutation) const {
     const bool any = permutation.everyScene || program.asksForCounts;
-    const std::uint32_t vertexData = scene.vertexData();
+    const std::uint32_t vertexData = scene.vertexData(), hidden = hiddenIn(permutation);
     std::vector<std::uint32_t> constants = {permutation.textures,
-                                            permutation.mayFeatures & ~program.hiddenFeatures,
-                                            permutation.mustFeatures & ~program.hiddenFeatures,
+                                            permutation.mayFeatures & ~hidden,
+                                            permutation.mustFeatures & ~hidden,
                                             any ? kUnknown : program.directionalCount,
                                             any                  ? kUnknown
                                             : program.listLights ? kListed
@@ -300,13 +308,14 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   const Buffer color(device, program.leftOut == 0 ? plane : 0), termsA(device, inA * plane),
       termsB(device, (written - inA) * plane);
   const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
+  if (!nothingBehind) nothingBehind = makeNothingBehind(device, surface.width, surface.height);
   const std::vector<Binding> bindings =
       surfaceBindings(surface, program.listLights ? lists : pathData, color, termsA, termsB);
   if (!*surfaceLayout) {
     surfaceLayout = makeSetLayout(device, bindings, kCompute);
     layout = makePipelineLayout(device, std::array{*surfaceLayout, *textureLayout}, sizeof(Push), kCompute);
   }
-  planFor(surface);
+  planFor(surface.bins);
   bindTextures(surface);
   const DescriptorSets set(device, surfaceLayout, std::span(&bindings, 1));
 
@@ -348,6 +357,7 @@ ShadingPass::ShadingPass(const Device& device, const SceneBuffers& scene, const 
                          PathProgram program)
     : m_impl(std::make_unique<Impl>(device, scene, binKinds, std::move(program))) {}
 ShadingPass::~ShadingPass() = default;
+void ShadingPass::expect(std::span<const Bin> bins) const { m_impl->planFor(bins); }
 ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& camera) const {
   return m_impl->shade(surface, camera, true);
 }

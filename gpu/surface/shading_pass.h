@@ -56,14 +56,16 @@ struct PathProgram {
   // Instead of pathData where it is set: makes binding 4 for a surface, given the four counts that it begins with.
   // Local lights are listed there for each group of kGroupSize entries of a bin.
   std::function<Buffer(const Surface&, const std::array<std::uint32_t, 4>&)> listLights;
-  const Textures* textures = nullptr;             // the materials', as the path stores them; null: the scene's
-  const DeviceImage* pathTexture = nullptr;       // binding 18; null: white
-  const EnvironmentMaps* environment = nullptr;   // bindings 17, 25 to 27; null: no environment
-  const ShadowMaps* shadows = nullptr;            // bindings 19 and 20; null: none
-  const BakedMaps* baked = nullptr;               // bindings 21 to 24; null: none
-  std::array<glm::vec4, kPathNumbers> numbers{};  // the path's own, GpuView::path
-  std::vector<std::uint32_t> constants;           // the path's own specialization constants, from kConstantPath
-  std::uint32_t hiddenFeatures = 0;               // kFeature... bits that materials are shaded without
+  const Textures* textures = nullptr;            // the materials', as the path stores them; null: the scene's
+  const DeviceImage* pathTexture = nullptr;      // binding 18; null: white
+  const EnvironmentMaps* environment = nullptr;  // bindings 17, 25 to 27; null: no environment
+  const ShadowMaps* shadows = nullptr;           // bindings 19 and 20; null: none
+  const BakedMaps* baked = nullptr;              // bindings 21 to 24; null: none
+  std::array<glm::vec4, kPathNumbers> numbers{}; // the path's own, GpuView::path
+  std::vector<std::uint32_t> constants;          // the path's own specialization constants, from kConstantPath
+  // kFeature... bits that materials are shaded without. With the plan of another pass in `compilation`: by that pass's
+  // shaders, where these features are not all materials' of a permutation. Else by shaders without them.
+  std::uint32_t hiddenFeatures = 0;
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same
   bool asksForCounts = false; // at run time, as permutations of every scene do: for lights, environment and vertex data
   bool terms = false;
@@ -100,6 +102,9 @@ public:
               PathProgram program);
   ~ShadingPass();
 
+  // Decides which permutations serve these bins, of surfaces that will be shaded one after the other: each on its own
+  // would decide for itself, and need more of them.
+  void expect(std::span<const Bin> bins) const;
   ShadedSurface shade(const Surface& surface, const scenes::Camera& camera) const;
   // Has the driver compile what shade() would run, and runs nothing.
   void compile(const Surface& surface, const scenes::Camera& camera) const;

@@ -1,8 +1,10 @@
 #include "job/scene/scene_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <set>
+#include <utility>
 
 namespace parity::job {
 
@@ -122,6 +124,14 @@ gpu::VisibleLayers SceneRenderer::rasterise(const scenes::Camera& camera, const 
   return m_scene.surfacePass().rasterise(camera, tile, sample);
 }
 
+std::vector<gpu::Bin> SceneRenderer::binsOf(std::span<const gpu::VisibleLayers> parts) {
+  std::vector<gpu::Bin> bins;
+  for (const gpu::VisibleLayers& part : parts)
+    for (const gpu::VisibleLayers::Layer& layer : part.layers)
+      bins.insert(bins.end(), layer.bins.begin(), layer.bins.end());
+  return bins;
+}
+
 gpu::Surface SceneRenderer::resolve(const gpu::VisibleLayers& visible, std::size_t layer,
                                     const scenes::Camera& camera) {
   const base::Stopwatch watch(&m_context.timings(), "surface");
@@ -162,6 +172,9 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
       const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
       cutPixels.insert(visible.cutPixels.begin(), visible.cutPixels.end());
       m_scene.requireTextures(visible);
+      const std::vector<gpu::Bin> bins = binsOf({&visible, 1});
+      for (const std::vector<PathState>* states : {&m_paths, &m_whatIfs})
+        for (const PathState& each : *states) each.plain->pass().expect(bins);
       const bool keeps =
           parts == 1 && (m_mayAddTerms || m_mayDropLights || m_mayDropLobes) && visible.size() <= kMaxKeptEntries;
       const std::size_t layerCount = visible.layers.size();
@@ -211,6 +224,10 @@ void SceneRenderer::renderBackdrops(const scenes::Camera& camera) {
       m_context.requireGoesOn();
       const gpu::VisibleLayers visible = m_scene.surfacePass().rasteriseBehind(camera, tile, sample);
       m_scene.requireTextures(visible);
+      if (!std::exchange(m_isBackdropPlanned, true)) { // one shader may serve what is behind and what is before
+        const std::vector<gpu::Bin> bins = binsOf(std::array{visible, rasterise(camera, tile, sample)});
+        for (const PathState* each : reading) each->plain->pass().expect(bins);
+      }
       const gpu::Surface surface = m_scene.surfacePass().resolve(visible, 0, camera);
       m_work.backdropSamples += surface.size();
       for (std::size_t i = 0; i < reading.size(); ++i)

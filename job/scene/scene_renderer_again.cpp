@@ -110,7 +110,9 @@ void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const sce
 base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scenes::Camera& camera) {
   PathState& first = m_paths.front();
   std::unique_ptr<paths::Renderer>& without = first.without[features];
-  if (!without) without = makeRenderer(*first.path, {.hiddenFeatures = features}, m_views);
+  if (!without)
+    without = makeRenderer(
+        *first.path, {.terms = m_shadesTerms, .hiddenFeatures = features, .plan = first.plain->pass().plan()}, m_views);
   first.giveBackdrop(*without);
   gpu::FrameBuilder frame = makeFrame({});
   const auto lay = [&](const KeptLayer& layer) {

@@ -2,7 +2,9 @@
 #include "job/scene/scene_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 
 #include "job/scene/stand_in_light.h"
 
@@ -20,10 +22,16 @@ void SceneRenderer::compileAhead(const scenes::Camera& camera) {
     renderers.push_back(makeRenderer(*path, wish, m_views));
     m_plans.push_back(renderers.back()->pass().plan());
   }
-  const auto compile = [&](const gpu::VisibleLayers& visible, const auto& isWanted) {
-    m_scene.requireTextures(visible);
-    for (std::size_t k = 0; k < visible.layers.size(); ++k) {
-      const gpu::Surface surface = resolve(visible, k, camera);
+  const auto expect = [&](std::span<const gpu::VisibleLayers> parts, const auto& isWanted) {
+    const std::vector<gpu::Bin> bins = binsOf(parts);
+    for (const auto& renderer : renderers)
+      if (isWanted(*renderer)) renderer->pass().expect(bins);
+  };
+  const auto compile = [&](const gpu::VisibleLayers& part, const auto& isWanted) {
+    m_scene.requireTextures(part);
+    expect({&part, 1}, isWanted);
+    for (std::size_t k = 0; k < part.layers.size(); ++k) {
+      const gpu::Surface surface = resolve(part, k, camera);
       for (const auto& renderer : renderers) {
         if (!isWanted(*renderer)) continue;
         m_context.requireGoesOn();
@@ -35,18 +43,22 @@ void SceneRenderer::compileAhead(const scenes::Camera& camera) {
       gpu::makeTiles(static_cast<std::uint32_t>(m_settings.width), static_cast<std::uint32_t>(m_settings.height))
           .front();
   const glm::vec2 sample = gpu::samplePositions(m_settings.samples, m_settings.filterWidth).front();
+  const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
   const auto readsBackdrop = [](const paths::Renderer& renderer) { return renderer.readsBackdrop(); };
   std::optional<gpu::Backdrop> backdrop; // of the kind of the one to come
   if (m_choice.intermediate == 0 &&
       std::ranges::any_of(renderers, [&](const auto& each) { return readsBackdrop(*each); })) {
-    compile(m_scene.surfacePass().rasteriseBehind(camera, tile, sample), readsBackdrop);
+    const std::array both{m_scene.surfacePass().rasteriseBehind(camera, tile, sample), visible};
+    expect(both, readsBackdrop);
+    m_isBackdropPlanned = true;
+    compile(both.front(), readsBackdrop);
     gpu::BackdropBuilder builder(static_cast<std::uint32_t>(m_settings.width),
                                  static_cast<std::uint32_t>(m_settings.height), m_settings.samples);
     backdrop.emplace(builder.take(m_context.device()));
     for (const auto& renderer : renderers)
       if (readsBackdrop(*renderer)) renderer->setBackdrop(&*backdrop);
   }
-  compile(rasterise(camera, tile, sample), [](const paths::Renderer&) { return true; });
+  compile(visible, [](const paths::Renderer&) { return true; });
 }
 
 } // namespace parity::job

@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <thread>
+#include <tuple>
 
 #include "base/temp_folder.h"
 #include "highend/highend_quad.h"
@@ -68,10 +70,10 @@ TEST_F(CompileTest, AheadIsWhatShadingNeedsAndRunsNothing) {
 
 // A quad that is rasterised.
 struct QuadView {
-  explicit QuadView(const gpu::Device& device)
-      : buffers(device, scene, gpu::SpecularAa::off), pass(device, buffers, 8, 8),
-        surface(std::move(pass.render(camera, {0, 8}, glm::vec2(0.5f)).back())) {}
-  scenes::Scene scene = makeQuadScene();
+  explicit QuadView(const gpu::Device& device, scenes::Scene s = makeQuadScene(), std::uint32_t size = 8)
+      : scene(std::move(s)), buffers(device, scene, gpu::SpecularAa::off), pass(device, buffers, size, size),
+        surface(std::move(pass.render(camera, {0, size}, glm::vec2(0.5f)).back())) {}
+  scenes::Scene scene;
   scenes::Camera camera = tests::makeFrontCamera(1, 3, true);
   gpu::SceneBuffers buffers;
   gpu::SurfacePass pass;
@@ -90,6 +92,83 @@ TEST_F(CompileTest, ConstantsWithoutTermsAreThoseOfAShaderThatWritesNone) {
   EXPECT_NE(with.constants, without.constants);
   EXPECT_EQ(with.constantsWithoutTerms(), without.constants);
   EXPECT_EQ(without.constantsWithoutTerms(), without.constants);
+}
+
+// Two halves of the picture: on the right a textured material, on the left glass without a texture.
+scenes::Scene makeGlassBesideTexture(int side, scenes::Wrap wrap) {
+  scenes::Scene scene = makeQuadScene();
+  scene.instances[0].toWorld = tests::translation(1, 0, 0);
+  scene.meshes.push_back(tests::makeQuad(1));
+  scene.instances.push_back({1, tests::translation(-1, 0, 0), "glass"});
+  scene.images.emplace_back().pixels = base::Image8(side, side, 4, 255);
+  scene.materials[0].baseColorTexture.image = 0;
+  scene.materials[0].baseColorTexture.sampler.wrapU = scene.materials[0].baseColorTexture.sampler.wrapV = wrap;
+  scenes::Material& glass = scene.materials.emplace_back();
+  glass.name = "glass";
+  glass.metallic = 0;
+  glass.transmission = 1;
+  return scene;
+}
+
+// lavapipe compiles a shader anew for each kind of image: what stands for a texture or for the picture behind is of the
+// kind of what may stand in its place.
+TEST_F(CompileTest, OneShaderServesMaterialsWithTexturesAndWithoutBehindGlassAndBefore) {
+  const base::Image lut = constantLut(0.5f, 0.1f);
+  for (const auto& [side, wrap, pictureSize] :
+       {std::tuple(4, scenes::Wrap::repeat, 8u), std::tuple(6, scenes::Wrap::clampToEdge, 6u)}) {
+    const QuadView view(device(), makeGlassBesideTexture(side, wrap), pictureSize);
+    Inputs inputs{.lut = &lut, .transmits = true, .lights = {tests::makeDirectional({0, 0, 1}, glm::vec3(1))}};
+    inputs.compilation.store = &pipelines();
+    Renderer renderer(device(), view.buffers, view.pass.binKinds(), inputs, {});
+    ASSERT_EQ(view.surface.bins.size(), 2u) << "both are seen";
+    const std::size_t before = countCompiled();
+    renderer.shade(view.surface, view.camera);
+    gpu::BackdropBuilder behind(pictureSize, pictureSize, 1);
+    behind.lay(view.surface, view.camera, std::vector<glm::vec4>(view.surface.size(), glm::vec4(1)));
+    const gpu::Backdrop backdrop = behind.take(device());
+    renderer.setBackdrop(&backdrop);
+    renderer.shade(view.surface, view.camera);
+    EXPECT_EQ(countCompiled(), before + 1) << side;
+  }
+}
+
+// A lobe is hidden by the shader that shows it where other materials lack it.
+TEST_F(CompileTest, LobesAreHiddenByShadersThatAreThere) {
+  const base::Image lut = constantLut(0.5f, 0.1f), sheen(2, 2, 1, 0.3f);
+  const gpu::EnvironmentMaps sky = makeConstantEnvironment(device(), 1);
+  scenes::Scene scene = makeQuadScene();
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[0].sheenColor = {0.8f, 0.4f, 0.2f};
+  scene.materials[0].coat = scene.materials[1].coat = 0.5f;
+  scenes::Scene bare = scene, alone = scene;
+  for (scenes::Scene* each : {&scene, &bare}) { // the other material stands behind the camera
+    each->meshes.push_back(tests::makeQuad(1));
+    each->instances.push_back({1, tests::translation(0, 0, 100), "other"});
+  }
+  bare.materials[0].sheenColor = glm::vec3(0);
+  const auto shadeBy = [&](const QuadView& view, std::uint32_t hidden, std::shared_ptr<gpu::PermutationPlan>& plan) {
+    Inputs inputs{.environment = &sky,
+                  .lut = &lut,
+                  .sheenTable = &sheen,
+                  .lights = {tests::makeDirectional({0.5f, 0.3f, 1}, glm::vec3(2))},
+                  .hiddenFeatures = hidden};
+    inputs.compilation.store = &pipelines();
+    inputs.compilation.plan = plan;
+    const Renderer renderer(device(), view.buffers, view.pass.binKinds(), inputs, {});
+    const glm::vec4 color = renderer.shade(view.surface, view.camera).color.at(0);
+    plan = renderer.pass().plan();
+    return color;
+  };
+  std::shared_ptr<gpu::PermutationPlan> none, ofScene, ofAlone;
+  const QuadView bareView(device(), bare), view(device(), scene), aloneView(device(), alone);
+  const glm::vec4 expected = shadeBy(bareView, 0, none);
+  EXPECT_NE(shadeBy(view, 0, ofScene), expected);
+  const std::size_t compiled = countCompiled();
+  EXPECT_EQ(shadeBy(view, gpu::kFeatureSheen, ofScene), expected);
+  EXPECT_EQ(countCompiled(), compiled);
+  // Where all materials have it, the shader has no code without it.
+  EXPECT_NE(shadeBy(aloneView, 0, ofAlone), expected);
+  EXPECT_EQ(shadeBy(aloneView, gpu::kFeatureSheen, ofAlone), expected);
 }
 
 // A bit for each term in the constant of path.glsl: others are 0 everywhere, and nobody reads what is not written.

@@ -178,6 +178,34 @@ TEST_F(PassesTest, HiddenMaterialCostsNeitherTexturesNorShading) {
   EXPECT_EQ(seen["surface"], hidden["surface"]);
 }
 
+// Glass is shaded after what is seen through it. In a small picture one shader serves both, and knows nothing of a
+// third material, which stands behind them.
+TEST_F(PassesTest, GlassAndWhatIsBehindItTakeOneShader) {
+  paint("texture.png");
+  GltfFile file = makeQuad();
+  file.json["extensionsUsed"] = {"KHR_materials_transmission"};
+  file.json["images"] = {{{"uri", "texture.png"}}};
+  file.json["textures"] = {{{"source", 0}}};
+  file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  file.json["materials"].push_back(
+      {{"name", "glass"}, {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}}});
+  file.json["materials"].push_back({{"name", "hidden"}, {"normalTexture", {{"index", 0}}}});
+  for (const int material : {1, 2}) {
+    file.json["meshes"].push_back(file.json["meshes"][0]);
+    file.json["meshes"].back()["primitives"][0]["material"] = material;
+    const double z = material == 1 ? 0.01 : -0.01;
+    file.json["nodes"].push_back({{"mesh", material}, {"translation", {0.25, 0.25, z}}, {"scale", {0.5, 0.5, 0.5}}});
+    file.json["scenes"][0]["nodes"].push_back(file.json["nodes"].size() - 1);
+  }
+  const Passes passes = run(writeEmbedded(m_folder, std::move(file), "glass"), join({kSun, {"--orbit", "0,90,2"}}));
+  ASSERT_EQ(passes.permutations.size(), 2u) << "one of each path";
+  for (const nlohmann::json& permutation : passes.permutations) {
+    EXPECT_EQ(permutation["textures"], "base colour");
+    EXPECT_TRUE(contains(permutation["features"].get<std::string>(), "some transmission")) << permutation;
+    EXPECT_GE(permutation["pixels"], passes["surface"]);
+  }
+}
+
 // A shader that branches by the camera would be compiled anew for each: the driver inlines uniforms that decide much.
 TEST_F(PassesTest, AnotherCameraCompilesNothing) {
   const std::filesystem::path driver = m_folder / "driver";
