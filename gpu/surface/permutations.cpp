@@ -57,7 +57,7 @@ Permutation everyScenePermutation(std::uint32_t textures) {
 }
 
 PermutationBudget PermutationBudget::withLobes() const {
-  // Two: glass, and what is seen through it.
+  // Two: what its first view shows, and what is seen later.
   return shares ? PermutationBudget{.own = std::max<std::size_t>(own, 2)} : *this;
 }
 

@@ -46,7 +46,7 @@ public:
   // Puts other numbers in a material's place, for all who shade afterwards: of the same textures and the same class.
   void setFactors(std::size_t index, const scenes::Material& material) const;
 
-  // A copy of `materials` that lacks these features (kFeature... bits).
+  // A copy of `materials` as they are now, without these features (kFeature... bits). setFactors does not reach it.
   Buffer materialsWithout(const Device& device, std::uint32_t features) const;
 
   Buffer positions, normals, tangents, uvs, colors, indices, instances, materials, lightmapCorners;

@@ -152,6 +152,7 @@ struct ShadingPass::Impl {
     textureSets.resize(kinds.size());
   }
 
+  bool mayWriteTerms() const { return program.terms || program.compilation.planWritesTerms; }
   bool hidesAtRunTime() const { return program.hiddenFeatures != 0 && program.compilation.plan; }
   // That its shader leaves out.
   std::uint32_t hiddenIn(const Permutation& permutation) const {
@@ -209,15 +210,20 @@ struct ShadingPass::Impl {
     return bindings;
   }
 
-  // For the classes that these bins are the first to show, scaled to what the whole run will shade.
-  void planFor(std::span<const Bin> bins) {
+  // For the classes that these layers are the first to show, scaled to what the whole run will shade: the largest layer
+  // is taken to fill all of its pictures.
+  void planFor(std::span<const std::vector<Bin>> layers) {
     std::map<MaterialClass, std::uint64_t> pixels;
-    std::uint64_t size = 0;
-    for (const Bin& bin : bins) {
-      size += bin.count;
-      if (const MaterialClass& c = kinds[bin.key].materialClass; !plan->has(c)) pixels[c] += bin.count;
+    std::uint64_t largest = 1;
+    for (const std::vector<Bin>& bins : layers) {
+      std::uint64_t size = 0;
+      for (const Bin& bin : bins) {
+        size += bin.count;
+        if (const MaterialClass& c = kinds[bin.key].materialClass; !plan->has(c)) pixels[c] += bin.count;
+      }
+      largest = std::max(largest, size);
     }
-    const double scale = std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(size));
+    const double scale = std::max(1.0, static_cast<double>(program.expectedPixels) / static_cast<double>(largest));
     std::vector<ClassPixels> classes;
     for (const auto& [c, count] : pixels)
       classes.push_back({c, static_cast<std::uint64_t>(static_cast<double>(count) * scale)});
@@ -226,7 +232,6 @@ struct ShadingPass::Impl {
 
   // A bit for each term that some pixel may have: the shader writes no others.
   std::uint32_t termsToWrite(bool any) const {
-    if (!program.terms) return 0;
     if (!program.termsFollowLight) return ~0u;
     std::uint32_t terms = (1u << shading::kTermCount) - 1;
     if (any || program.baked) return terms;
@@ -245,6 +250,7 @@ struct ShadingPass::Impl {
   std::vector<std::uint32_t> constantsOf(const Permutation& permutation) const {
     const bool any = permutation.everyScene || program.asksForCounts;
     const std::uint32_t vertexData = scene.vertexData(), hidden = hiddenIn(permutation);
+    const bool writesTerms = hidden == 0 ? mayWriteTerms() : program.terms; // another shader than the plan's
     std::vector<std::uint32_t> constants = {permutation.textures,
                                             permutation.mayFeatures & ~hidden,
                                             permutation.mustFeatures & ~hidden,
@@ -255,7 +261,7 @@ struct ShadingPass::Impl {
                                             any                   ? kUnknown
                                             : program.environment ? 1u
                                                                   : 0u,
-                                            termsToWrite(any),
+                                            writesTerms ? termsToWrite(any) : 0,
                                             any ? kVertexAll : vertexData | vertexData << kVertexMustShift};
     const auto& own = permutation.everyScene && !program.everySceneConstants.empty() ? program.everySceneConstants
                                                                                      : program.constants;
@@ -300,7 +306,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   view.upload(std::as_bytes(std::span{&gpuView, 1}));
 
   const std::size_t written = program.leftOut != 0 ? program.leftOut
-                              : !program.terms     ? 0
+                              : !mayWriteTerms()   ? 0
                               : shadesLobes        ? program.planesOfLobes
                                                    : shading::kBaseTermCount;
   const std::size_t inA = std::min<std::size_t>(written, kTermsInA);
@@ -308,14 +314,14 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   const Buffer color(device, program.leftOut == 0 ? plane : 0), termsA(device, inA * plane),
       termsB(device, (written - inA) * plane);
   const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
-  if (!nothingBehind) nothingBehind = makeNothingBehind(device, surface.width, surface.height);
+  if (!backdrop && !nothingBehind) nothingBehind = makeNothingBehind(device, surface.width, surface.height);
   const std::vector<Binding> bindings =
       surfaceBindings(surface, program.listLights ? lists : pathData, color, termsA, termsB);
   if (!*surfaceLayout) {
     surfaceLayout = makeSetLayout(device, bindings, kCompute);
     layout = makePipelineLayout(device, std::array{*surfaceLayout, *textureLayout}, sizeof(Push), kCompute);
   }
-  planFor(surface.bins);
+  planFor({&surface.bins, 1});
   bindTextures(surface);
   const DescriptorSets set(device, surfaceLayout, std::span(&bindings, 1));
 
@@ -340,7 +346,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   if (!runs) return {};
   if (program.leftOut == 0) result.color = color.downloadAs<glm::vec4>(n);
   // Shaders of every scene write more than this scene has: zeros.
-  const std::uint32_t terms = program.leftOut != 0 ? ~0u : termsToWrite(false);
+  const std::uint32_t terms = program.leftOut != 0 ? ~0u : program.terms ? termsToWrite(false) : 0;
   const auto download = [&](std::size_t t) {
     result.terms[t] = t >= written || (terms >> t & 1u) == 0 ? std::vector<glm::vec4>(n)
                       : t < kTermsInA                        ? termsA.downloadAs<glm::vec4>(n, t * plane)
@@ -357,7 +363,7 @@ ShadingPass::ShadingPass(const Device& device, const SceneBuffers& scene, const 
                          PathProgram program)
     : m_impl(std::make_unique<Impl>(device, scene, binKinds, std::move(program))) {}
 ShadingPass::~ShadingPass() = default;
-void ShadingPass::expect(std::span<const Bin> bins) const { m_impl->planFor(bins); }
+void ShadingPass::expect(std::span<const std::vector<Bin>> layers) const { m_impl->planFor(layers); }
 ShadedSurface ShadingPass::shade(const Surface& surface, const scenes::Camera& camera) const {
   return m_impl->shade(surface, camera, true);
 }

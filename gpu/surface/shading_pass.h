@@ -41,6 +41,7 @@ struct Compilation {
   PermutationBudget budget;
   PipelineStore* store = nullptr;                  // of the run; null: the pass has its own
   std::shared_ptr<PermutationPlan> plan = nullptr; // of another pass of the scene and path; null: a new one
+  bool planWritesTerms = false; // that pass has terms: its shaders are taken also where this one has none
 };
 
 // What a path brings along. Referenced objects must outlive the pass.
@@ -63,8 +64,9 @@ struct PathProgram {
   const BakedMaps* baked = nullptr;              // bindings 21 to 24; null: none
   std::array<glm::vec4, kPathNumbers> numbers{}; // the path's own, GpuView::path
   std::vector<std::uint32_t> constants;          // the path's own specialization constants, from kConstantPath
-  // kFeature... bits that materials are shaded without. With the plan of another pass in `compilation`: by that pass's
-  // shaders, where these features are not all materials' of a permutation. Else by shaders without them.
+  // kFeature... bits that materials are shaded without. If `compilation` has the plan of another pass, that pass's
+  // shaders are taken, and the materials lack the features at run time. Shaders without them are made where there is no
+  // such plan, and where all materials of a permutation have one of them.
   std::uint32_t hiddenFeatures = 0;
   std::vector<std::uint32_t> everySceneConstants; // in place of those in permutations of every scene; empty: the same
   bool asksForCounts = false; // at run time, as permutations of every scene do: for lights, environment and vertex data
@@ -102,9 +104,8 @@ public:
               PathProgram program);
   ~ShadingPass();
 
-  // Decides which permutations serve these bins, of surfaces that will be shaded one after the other: each on its own
-  // would decide for itself, and need more of them.
-  void expect(std::span<const Bin> bins) const;
+  // Plans for the bins of several layers together. If each is planned when it is shaded, more permutations are needed.
+  void expect(std::span<const std::vector<Bin>> layers) const;
   ShadedSurface shade(const Surface& surface, const scenes::Camera& camera) const;
   // Has the driver compile what shade() would run, and runs nothing.
   void compile(const Surface& surface, const scenes::Camera& camera) const;

@@ -79,8 +79,8 @@ private:
   std::vector<vk::raii::Sampler> m_samplers;
   std::vector<std::vector<Binding>> m_sets;
   std::vector<std::uint32_t> m_setOfMaterial;
-  // What a slot without a texture is given: white, as another material's texture there, which lavapipe compiles the
-  // shader for (standInSide).
+  // A white image for each slot without a texture, of the kind of another material's texture there, so that lavapipe
+  // needs no further shader (standInSide).
   std::vector<DeviceImage> m_whites;
   std::array<Binding, kSlotCount> m_whiteOfSlot; // image: into m_whites
 };

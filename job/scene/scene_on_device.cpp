@@ -115,7 +115,7 @@ std::unique_ptr<paths::Renderer> SceneOnDevice::makeRenderer(const paths::Path& 
                             .hiddenFeatures = wish.hiddenFeatures,
                             .wide = wish.wide,
                             .intermediate = wish.intermediate,
-                            .compilation = {wish.budget, &m_context.pipelines(), wish.plan},
+                            .compilation = {wish.budget, &m_context.pipelines(), wish.plan, wish.planWritesTerms},
                             .expectedPixels = wish.expectedPixels,
                             .services = m_context.services(),
                             .store = m_store},

@@ -27,6 +27,7 @@ public:
     std::uint64_t expectedPixels = 0;
     gpu::PermutationBudget budget{};
     std::shared_ptr<gpu::PermutationPlan> plan = nullptr; // of another renderer of the path, to need the same shaders
+    bool planWritesTerms = false;                         // that renderer has terms
     const paths::Light* light = nullptr;                  // in place of the scene's: to compile by, not to shade
   };
   // options: the path's own, and those of other paths. What renderers share is uploaded once. They must not outlive

@@ -1,10 +1,8 @@
 #include "job/scene/scene_renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <set>
-#include <utility>
 
 namespace parity::job {
 
@@ -124,12 +122,10 @@ gpu::VisibleLayers SceneRenderer::rasterise(const scenes::Camera& camera, const 
   return m_scene.surfacePass().rasterise(camera, tile, sample);
 }
 
-std::vector<gpu::Bin> SceneRenderer::binsOf(std::span<const gpu::VisibleLayers> parts) {
-  std::vector<gpu::Bin> bins;
-  for (const gpu::VisibleLayers& part : parts)
-    for (const gpu::VisibleLayers::Layer& layer : part.layers)
-      bins.insert(bins.end(), layer.bins.begin(), layer.bins.end());
-  return bins;
+SceneRenderer::Layers SceneRenderer::layersOf(const gpu::VisibleLayers& visible) {
+  Layers layers;
+  for (const gpu::VisibleLayers::Layer& layer : visible.layers) layers.push_back(layer.bins);
+  return layers;
 }
 
 gpu::Surface SceneRenderer::resolve(const gpu::VisibleLayers& visible, std::size_t layer,
@@ -172,9 +168,9 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
       const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
       cutPixels.insert(visible.cutPixels.begin(), visible.cutPixels.end());
       m_scene.requireTextures(visible);
-      const std::vector<gpu::Bin> bins = binsOf({&visible, 1});
+      const Layers layers = layersOf(visible);
       for (const std::vector<PathState>* states : {&m_paths, &m_whatIfs})
-        for (const PathState& each : *states) each.plain->pass().expect(bins);
+        for (const PathState& each : *states) each.plain->pass().expect(layers);
       const bool keeps =
           parts == 1 && (m_mayAddTerms || m_mayDropLights || m_mayDropLobes) && visible.size() <= kMaxKeptEntries;
       const std::size_t layerCount = visible.layers.size();
@@ -224,10 +220,11 @@ void SceneRenderer::renderBackdrops(const scenes::Camera& camera) {
       m_context.requireGoesOn();
       const gpu::VisibleLayers visible = m_scene.surfacePass().rasteriseBehind(camera, tile, sample);
       m_scene.requireTextures(visible);
-      if (!std::exchange(m_isBackdropPlanned, true)) { // one shader may serve what is behind and what is before
-        const std::vector<gpu::Bin> bins = binsOf(std::array{visible, rasterise(camera, tile, sample)});
-        for (const PathState* each : reading) each->plain->pass().expect(bins);
+      if (m_firstLayers.empty()) {
+        m_firstLayers = layersOf(m_scene.surfacePass().rasterise(camera, tile, sample));
+        m_firstLayers.push_back(visible.layers.front().bins);
       }
+      for (const PathState* each : reading) each->plain->pass().expect(m_firstLayers);
       const gpu::Surface surface = m_scene.surfacePass().resolve(visible, 0, camera);
       m_work.backdropSamples += surface.size();
       for (std::size_t i = 0; i < reading.size(); ++i)

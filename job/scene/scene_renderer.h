@@ -65,6 +65,8 @@ public:
   std::vector<report::PermutationResult> permutations() const;
 
 private:
+  using Layers = std::vector<std::vector<gpu::Bin>>; // the bins of each
+  static Layers layersOf(const gpu::VisibleLayers& visible);
   struct PathState {
     const paths::Path* path = nullptr;
     std::unique_ptr<paths::Renderer> plain;       // with terms where m_shadesTerms
@@ -93,8 +95,6 @@ private:
   gpu::VisibleLayers rasterise(const scenes::Camera& camera, const gpu::Tile& tile, const glm::vec2& sample);
   // What lies behind surfaces that light passes through, by the paths that read it.
   void renderBackdrops(const scenes::Camera& camera);
-  // Of all layers, one after another.
-  static std::vector<gpu::Bin> binsOf(std::span<const gpu::VisibleLayers> parts);
   gpu::Surface resolve(const gpu::VisibleLayers& visible, std::size_t layer, const scenes::Camera& camera);
   // By every path, laid over what is in `view` already. Returns what each path, without the what-ifs, made of it.
   std::vector<gpu::ShadedSurface> shade(const gpu::Surface& surface, const scenes::Camera& camera, std::uint32_t stream,
@@ -133,7 +133,8 @@ private:
   std::vector<KeptLayer> m_kept; // all of the last view, where it may be shaded again: a picture in one part
   bool m_mayDropLights = false;  // and the run wants to know what they do
   std::vector<std::uint64_t> m_seenSamples;
-  bool m_isBackdropPlanned = false; // of the first view: which shaders it and what is before it need
+  // What the first part of all views shows behind surfaces that light passes through, and in all of its layers.
+  Layers m_firstLayers;
   std::uint64_t m_cutPixels = 0;    // of all views, with more blended layers than are shown
   std::vector<PathState> m_paths;   // as chosen
   std::vector<PathState> m_whatIfs; // as in the settings

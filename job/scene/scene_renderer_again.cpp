@@ -84,7 +84,8 @@ void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const sce
   if (!renderer)
     renderer = makeRenderer(
         *first.path,
-        {.terms = m_shadesTerms && !atOnce, .leftOut = atOnce ? most : 0, .plan = first.plain->pass().plan()}, m_views);
+        {.leftOut = atOnce ? most : 0, .plan = first.plain->pass().plan(), .planWritesTerms = m_shadesTerms && !atOnce},
+        m_views);
   first.giveBackdrop(*renderer);
   for (std::size_t begin = 0; begin < lights.size(); begin += most) {
     const std::size_t count = std::min(most, lights.size() - begin);
@@ -112,7 +113,8 @@ base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scen
   std::unique_ptr<paths::Renderer>& without = first.without[features];
   if (!without)
     without = makeRenderer(
-        *first.path, {.terms = m_shadesTerms, .hiddenFeatures = features, .plan = first.plain->pass().plan()}, m_views);
+        *first.path, {.hiddenFeatures = features, .plan = first.plain->pass().plan(), .planWritesTerms = m_shadesTerms},
+        m_views);
   first.giveBackdrop(*without);
   gpu::FrameBuilder frame = makeFrame({});
   const auto lay = [&](const KeptLayer& layer) {

@@ -2,9 +2,7 @@
 #include "job/scene/scene_renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
-#include <span>
 
 #include "job/scene/stand_in_light.h"
 
@@ -22,14 +20,13 @@ void SceneRenderer::compileAhead(const scenes::Camera& camera) {
     renderers.push_back(makeRenderer(*path, wish, m_views));
     m_plans.push_back(renderers.back()->pass().plan());
   }
-  const auto expect = [&](std::span<const gpu::VisibleLayers> parts, const auto& isWanted) {
-    const std::vector<gpu::Bin> bins = binsOf(parts);
+  const auto expect = [&](const Layers& layers, const auto& isWanted) {
     for (const auto& renderer : renderers)
-      if (isWanted(*renderer)) renderer->pass().expect(bins);
+      if (isWanted(*renderer)) renderer->pass().expect(layers);
   };
   const auto compile = [&](const gpu::VisibleLayers& part, const auto& isWanted) {
     m_scene.requireTextures(part);
-    expect({&part, 1}, isWanted);
+    expect(layersOf(part), isWanted);
     for (std::size_t k = 0; k < part.layers.size(); ++k) {
       const gpu::Surface surface = resolve(part, k, camera);
       for (const auto& renderer : renderers) {
@@ -48,10 +45,11 @@ void SceneRenderer::compileAhead(const scenes::Camera& camera) {
   std::optional<gpu::Backdrop> backdrop; // of the kind of the one to come
   if (m_choice.intermediate == 0 &&
       std::ranges::any_of(renderers, [&](const auto& each) { return readsBackdrop(*each); })) {
-    const std::array both{m_scene.surfacePass().rasteriseBehind(camera, tile, sample), visible};
-    expect(both, readsBackdrop);
-    m_isBackdropPlanned = true;
-    compile(both.front(), readsBackdrop);
+    const gpu::VisibleLayers behind = m_scene.surfacePass().rasteriseBehind(camera, tile, sample);
+    m_firstLayers = layersOf(visible);
+    m_firstLayers.push_back(behind.layers.front().bins);
+    expect(m_firstLayers, readsBackdrop);
+    compile(behind, readsBackdrop);
     gpu::BackdropBuilder builder(static_cast<std::uint32_t>(m_settings.width),
                                  static_cast<std::uint32_t>(m_settings.height), m_settings.samples);
     backdrop.emplace(builder.take(m_context.device()));

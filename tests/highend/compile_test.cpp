@@ -132,7 +132,7 @@ TEST_F(CompileTest, OneShaderServesMaterialsWithTexturesAndWithoutBehindGlassAnd
   }
 }
 
-// A lobe is hidden by the shader that shows it where other materials lack it.
+// A lobe is hidden by the shader that shows it where other materials of the shader lack it.
 TEST_F(CompileTest, LobesAreHiddenByShadersThatAreThere) {
   const base::Image lut = constantLut(0.5f, 0.1f), sheen(2, 2, 1, 0.3f);
   const gpu::EnvironmentMaps sky = makeConstantEnvironment(device(), 1);
@@ -140,35 +140,48 @@ TEST_F(CompileTest, LobesAreHiddenByShadersThatAreThere) {
   scene.materials.push_back(scene.materials[0]);
   scene.materials[0].sheenColor = {0.8f, 0.4f, 0.2f};
   scene.materials[0].coat = scene.materials[1].coat = 0.5f;
-  scenes::Scene bare = scene, alone = scene;
-  for (scenes::Scene* each : {&scene, &bare}) { // the other material stands behind the camera
-    each->meshes.push_back(tests::makeQuad(1));
-    each->instances.push_back({1, tests::translation(0, 0, 100), "other"});
-  }
+  scenes::Scene alone = scene; // every material has the sheen
+  alone.materials.pop_back();
+  scene.meshes.push_back(tests::makeQuad(1)); // beside the other
+  scene.instances[0].toWorld = tests::translation(1, 0, 0);
+  scene.instances.push_back({1, tests::translation(-1, 0, 0), "other"});
+  scenes::Scene bare = scene;
   bare.materials[0].sheenColor = glm::vec3(0);
-  const auto shadeBy = [&](const QuadView& view, std::uint32_t hidden, std::shared_ptr<gpu::PermutationPlan>& plan) {
+
+  struct Shaded {
+    std::vector<glm::vec4> color;
+    std::shared_ptr<gpu::PermutationPlan> plan;
+    std::size_t shaders = 0; // that the run has, all told
+  };
+  const auto shade = [&](const QuadView& view, std::uint32_t hidden, const Shaded& plain, bool terms) {
     Inputs inputs{.environment = &sky,
                   .lut = &lut,
                   .sheenTable = &sheen,
                   .lights = {tests::makeDirectional({0.5f, 0.3f, 1}, glm::vec3(2))},
+                  .terms = terms,
                   .hiddenFeatures = hidden};
-    inputs.compilation.store = &pipelines();
-    inputs.compilation.plan = plan;
+    inputs.compilation = {.budget = {}, .store = &pipelines(), .plan = plain.plan, .planWritesTerms = hidden != 0};
     const Renderer renderer(device(), view.buffers, view.pass.binKinds(), inputs, {});
-    const glm::vec4 color = renderer.shade(view.surface, view.camera).color.at(0);
-    plan = renderer.pass().plan();
-    return color;
+    gpu::ShadedSurface shaded = renderer.shade(view.surface, view.camera);
+    EXPECT_EQ(shaded.terms.empty(), !terms);
+    return Shaded{std::move(shaded.color), renderer.pass().plan(), pipelines().keys().size()};
   };
-  std::shared_ptr<gpu::PermutationPlan> none, ofScene, ofAlone;
-  const QuadView bareView(device(), bare), view(device(), scene), aloneView(device(), alone);
-  const glm::vec4 expected = shadeBy(bareView, 0, none);
-  EXPECT_NE(shadeBy(view, 0, ofScene), expected);
-  const std::size_t compiled = countCompiled();
-  EXPECT_EQ(shadeBy(view, gpu::kFeatureSheen, ofScene), expected);
-  EXPECT_EQ(countCompiled(), compiled);
-  // Where all materials have it, the shader has no code without it.
-  EXPECT_NE(shadeBy(aloneView, 0, ofAlone), expected);
-  EXPECT_EQ(shadeBy(aloneView, gpu::kFeatureSheen, ofAlone), expected);
+  const QuadView view(device(), scene);
+  ASSERT_EQ(view.surface.bins.size(), 2u) << "both are seen";
+  const Shaded plain = shade(view, 0, {}, true);
+  EXPECT_EQ(plain.plan->of(view.buffers.classOfMaterial()[0]).mustFeatures & gpu::kFeatureLobes, gpu::kFeatureCoat);
+  const Shaded hidden = shade(view, gpu::kFeatureSheen, plain, false);
+  EXPECT_EQ(hidden.shaders, plain.shaders) << "that of the picture with terms";
+  const Shaded expected = shade(QuadView(device(), bare), 0, {}, false);
+  EXPECT_GT(expected.shaders, hidden.shaders);
+  EXPECT_EQ(hidden.color, expected.color);
+  EXPECT_NE(plain.color, expected.color);
+
+  const QuadView aloneView(device(), alone);
+  const Shaded plainAlone = shade(aloneView, 0, {}, true),
+               hiddenAlone = shade(aloneView, gpu::kFeatureSheen, plainAlone, false);
+  EXPECT_EQ(hiddenAlone.color.front(), expected.color.front()) << "by a shader without the sheen, and without terms";
+  EXPECT_EQ(hiddenAlone.shaders, plainAlone.shaders) << "that of the bare scene";
 }
 
 // A bit for each term in the constant of path.glsl: others are 0 everywhere, and nobody reads what is not written.

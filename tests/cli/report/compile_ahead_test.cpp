@@ -2,6 +2,7 @@
 #include <set>
 #include <thread>
 
+#include "base/image/image_io.h"
 #include "cli/checks.h"
 
 namespace parity::tests {
@@ -32,14 +33,26 @@ protected:
   }
 };
 
-// Glass reads the picture behind it, too. One thread prepares first, and compiles then.
+// Glass before a textured wall: both are planned together, also for what-ifs, which are not compiled ahead. One thread
+// prepares first, and compiles then.
 TEST_F(CompileAheadTest, CompilesWhatIsNeededAndNothingElse) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one core prepares first";
+  base::writeImage8(m_folder / "texture.png", base::Image8(8, 8, 3, 120));
   GltfFile file = makeQuad();
-  file.material()["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}};
+  file.json["images"] = {{{"uri", "texture.png"}}};
+  file.json["textures"] = {{{"source", 0}}};
+  file.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  file.json["materials"].push_back(
+      {{"name", "glass"}, {"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}});
   file.json["extensionsUsed"] = {"KHR_materials_transmission"};
+  file.json["meshes"].push_back(file.json["meshes"][0]);
+  file.json["meshes"][1]["primitives"][0]["material"] = 1;
+  file.json["nodes"].push_back({{"mesh", 1}, {"translation", {0.25, 0.25, 0.2}}, {"scale", {0.5, 0.5, 0.5}}});
+  file.json["scenes"][0]["nodes"].push_back(file.json["nodes"].size() - 1);
   const std::string glass = writeEmbedded(m_folder, std::move(file), "glass");
-  const Run ahead = reportOf(glass, "ahead", {}), after = reportOf(glass, "after", {"--threads", "1"});
+  const std::vector<std::string> whatIf = {"--orbit", "0,80,2", "--what-if", "refit"};
+  const Run ahead = reportOf(glass, "ahead", whatIf),
+            after = reportOf(glass, "after", join({whatIf, {"--threads", "1"}}));
   for (const char* stage : {"compile ahead", "device: compile highend", "device: compile mobile"})
     EXPECT_TRUE(contains(ahead.err, stage)) << stage << "\n" << ahead.err;
   EXPECT_FALSE(contains(after.err, "compile ahead")) << after.err;
