@@ -12,6 +12,7 @@
 #include "cli/requests.h"
 #include "job/context.h"
 #include "job/report_run.h"
+#include "job/scene_work.h"
 
 namespace parity::cli {
 
@@ -52,6 +53,7 @@ int runDiffCommand(const DiffCommand& command, const std::string& commandLine) {
   std::optional<base::StopSignal> stop;
   if (request.scenes.size() > 1)
     stop.emplace("interrupted: the table shows what is finished; another signal ends the program at once");
+  job::chooseCompilerEffort(request.scenes);
   job::Context context(run.settings);
   if (stop) context.stopWhen(base::StopSignal::received);
   const job::ReportResult result = job::runReport(context, request, makeProgress(command.common.quiet));

@@ -19,6 +19,7 @@
 #include "job/plan/plan_folder.h"
 #include "job/plan/unit_store.h"
 #include "job/report_folder.h"
+#include "job/scene_work.h"
 #include "scenes/names.h"
 
 namespace parity::cli {
@@ -97,6 +98,7 @@ int runReportCommand(const ReportCommand& command, const std::string& commandLin
   request.bench = readBench(command.bench);
   const base::StopSignal stop("interrupted: the report is written with what is finished; another signal ends the "
                               "program at once");
+  job::chooseCompilerEffort(request.scenes);
   job::Context context(run.settings);
   context.stopWhen(base::StopSignal::received);
   const job::ReportResult result = command.workers.jobs > 0

@@ -21,6 +21,7 @@
 #include "job/plan/plan_folder.h"
 #include "job/plan/unit_store.h"
 #include "job/plan/worker.h"
+#include "job/scene_work.h"
 #include "scenes/names.h"
 
 namespace parity::cli {
@@ -60,6 +61,7 @@ int runAsWorker(const WorkCommand& command, const job::Plan& plan) {
   const base::ThreadLimit threads(command.threads);
   if (!base::dieWithParent(command.supervisor)) return 0;
   const base::StopSignal stop(""); // the supervisor says it
+  job::chooseCompilerEffort(plan.request.scenes);
   job::Context context(settingsOf(command, plan));
   context.stopWhen(base::StopSignal::received);
   constexpr int kStageDescriptor = 3; // as base::ChildProcess gives it
@@ -74,6 +76,7 @@ int runHere(const WorkCommand& command, const job::Plan& plan) {
       throw base::Error(base::ExitCode::usage, "--unit", "",
                         fmt::format("there is no unit {}: the plan has {} (0 to {})", unit, plan.request.scenes.size(),
                                     plan.request.scenes.size() - 1));
+  job::chooseCompilerEffort(plan.request.scenes);
   job::Context context(settingsOf(command, plan));
   job::doUnits(context, plan, command.folder, command.units, makeProgress(command.quiet));
   if (!command.quiet)

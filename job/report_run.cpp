@@ -16,6 +16,7 @@
 #include "job/run_budgets.h"
 #include "job/scene/scene_comparison.h"
 #include "job/scene_times.h"
+#include "job/scene_work.h"
 
 namespace parity::job {
 
@@ -35,6 +36,7 @@ public:
     if (m_done.size() > 1 && base::threadCount() > 1) {
       if (m_context.cache().enabled()) m_context.numerics(); // once for both
       m_isShared = true;
+      m_order = orderOfWork(m_context.cache(), m_request.scenes);
       Context second(m_context, Context::ForAnotherThread{});
       std::future<void> other = std::async(std::launch::async, [&] { takeScenes(second); });
       takeScenes(m_context);
@@ -65,7 +67,9 @@ private:
 
   std::size_t take() {
     const std::lock_guard lock(m_mutex);
-    return m_context.stoppedBy() == 0 ? m_next++ : m_done.size();
+    if (m_context.stoppedBy() != 0 || m_next == m_done.size()) return m_done.size();
+    const std::size_t next = m_next++;
+    return m_order.empty() ? next : m_order[next];
   }
 
   void tell(std::size_t scene, double done, const std::string& what) {
@@ -83,9 +87,10 @@ private:
   const RunBudgets& m_budgets;
   ReportEnd& m_end;
   const Progress& m_progress;
-  bool m_isShared = false;    // two scenes at a time
-  std::mutex m_mutex;         // of all below
-  std::vector<double> m_done; // how much of each; 1: all
+  bool m_isShared = false;          // two scenes at a time
+  std::vector<std::size_t> m_order; // in which they are begun; empty: as they stand
+  std::mutex m_mutex;               // of all below
+  std::vector<double> m_done;       // how much of each; 1: all
   std::size_t m_next = 0;
 };
 

@@ -73,6 +73,23 @@ TEST_F(DeterminismTest, NeitherTimeNorThreadsNorCacheShow) {
   EXPECT_FALSE(contains(text, "\"/")) << "an absolute path";
 }
 
+// Small pictures are shaded by less optimised code of the software driver. What the environment says about it stays.
+TEST_F(DeterminismTest, TheDriversOptimisationsDoNotShow) {
+  const auto reportWith = [&](const std::string& name, std::vector<std::pair<std::string, std::string>> environment) {
+    RunOptions options;
+    options.environment = std::move(environment);
+    const RunResult result = runParity(
+        join({{"report", "builtin:lobes", "--terms", "--no-cache", "-o", path(name)}, kSun, kSmall}), options);
+    EXPECT_TRUE(isReported(result));
+    std::map<std::string, std::string> files;
+    for (const std::string& file : listFiles(m_folder / name)) files[file] = readWholeFile(m_folder / name / file);
+    return files;
+  };
+  const auto optimised = reportWith("optimised", {{"GALLIVM_PERF", ""}});
+  EXPECT_EQ(optimised.count("report.json"), 1u);
+  expectSame(optimised, reportWith("quick", {}));
+}
+
 // Two at a time: scenes that fail or warn keep their places, on stderr too, and cost the others nothing.
 TEST_F(DeterminismTest, BrokenScenesKeepTheirPlaces) {
   const auto run = [&](const std::string& threads) {

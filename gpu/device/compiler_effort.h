@@ -1,0 +1,11 @@
+// How much a driver that compiles shaders on the CPU optimises them.
+#pragma once
+
+namespace parity::gpu {
+
+// Asks Mesa's software drivers for less, by GALLIVM_PERF=nopt: they compile in less time and shade more slowly; the
+// pictures are the same. A value that the environment has already stays. Of no effect on other drivers, nor after the
+// first device. Not thread-safe: before other threads start.
+void askForQuickCompilation();
+
+} // namespace parity::gpu
