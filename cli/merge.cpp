@@ -8,6 +8,7 @@
 #include "cli/progress.h"
 #include "cli/report_parts.h"
 #include "job/plan/plan_folder.h"
+#include "job/scene_work.h"
 
 namespace parity::cli {
 
@@ -21,6 +22,7 @@ int runMergeCommand(const MergeCommand& command) {
   std::optional<base::StopSignal> stop;
   if (command.verdict.explains)
     stop.emplace("interrupted: the report is written with what is explained; another signal ends the program at once");
+  job::chooseCompilerEffort(plan.request.scenes); // a report that explains has a device
   const job::ReportResult result =
       job::mergePlan(plan, command.plan,
                      {.folder = command.folder,

@@ -16,6 +16,7 @@
 #include "cli/requests.h"
 #include "job/context.h"
 #include "job/plan/plan_folder.h"
+#include "job/scene_work.h"
 #include "scenes/builtin/builtin.h"
 #include "scenes/names.h"
 
@@ -51,6 +52,7 @@ int runPlanCommand(const PlanCommand& command, const std::string& commandLine) {
   const ReportCommand& report = command.report;
   const base::ThreadLimit threads(report.common.threads);
   const RunRequest run = runRequest(report.common, withListed(report.scenes, "scene"), report.suite);
+  job::chooseCompilerEffort(run.scenes); // as `work` will: it holds its numerics against the plan's
   job::Context context(run.settings);
   job::Plan plan =
       job::makePlan(context, reportRequest(report, run, commandLine), report.common.plain, run.given, command.shards);

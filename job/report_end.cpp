@@ -234,6 +234,8 @@ ReportResult ReportEnd::finish(Context& context, report::RunInfo run, const Prog
   result.run.commandLine = m_request.commandLine;
   result.run.again = m_request.again;
   result.run.warningsFail = m_request.warningsFail;
+  for (; m_logged < m_scenes.size(); ++m_logged) // behind one that was not run
+    if (m_isAdded[m_logged]) logScene(m_scenes[m_logged]);
   for (std::size_t i = 0; i < m_scenes.size(); ++i)
     if (!m_isAdded[i]) m_scenes[i] = notRunScene(m_request.scenes[i], context.stoppedBy());
   report.version = base::kVersion;

@@ -36,7 +36,6 @@ public:
     if (m_done.size() > 1 && base::threadCount() > 1) {
       if (m_context.cache().enabled()) m_context.numerics(); // once for both
       m_isShared = true;
-      m_order = orderOfWork(m_context.cache(), m_request.scenes);
       Context second(m_context, Context::ForAnotherThread{});
       std::future<void> other = std::async(std::launch::async, [&] { takeScenes(second); });
       takeScenes(m_context);
@@ -69,7 +68,10 @@ private:
     const std::lock_guard lock(m_mutex);
     if (m_context.stoppedBy() != 0 || m_next == m_done.size()) return m_done.size();
     const std::size_t next = m_next++;
-    return m_order.empty() ? next : m_order[next];
+    if (!m_isShared) return next;
+    if (next == m_blockBegin + m_block.size())
+      m_block = orderOfBlock(m_context.cache(), m_request.scenes, m_blockBegin = next);
+    return m_block[next - m_blockBegin];
   }
 
   void tell(std::size_t scene, double done, const std::string& what) {
@@ -87,11 +89,12 @@ private:
   const RunBudgets& m_budgets;
   ReportEnd& m_end;
   const Progress& m_progress;
-  bool m_isShared = false;          // two scenes at a time
-  std::vector<std::size_t> m_order; // in which they are begun; empty: as they stand
-  std::mutex m_mutex;               // of all below
-  std::vector<double> m_done;       // how much of each; 1: all
-  std::size_t m_next = 0;
+  bool m_isShared = false;    // two scenes at a time
+  std::mutex m_mutex;         // of all below
+  std::vector<double> m_done; // how much of each; 1: all
+  std::size_t m_next = 0;     // how many were begun
+  std::size_t m_blockBegin = 0;
+  std::vector<std::size_t> m_block; // from there on, in the order in which they are begun; where two are at a time
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-// How long scenes took, kept in the cache for the next run's plan.
+// How long scenes took, kept in the cache for the next run's order and plan.
 #pragma once
 
 #include <optional>

@@ -1,9 +1,12 @@
 // In which order scenes are begun, and when the driver compiles quickly.
 #include "job/scene_work.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+
+#include <sys/stat.h>
 
 #include <gtest/gtest.h>
 
@@ -53,42 +56,65 @@ TEST_F(SceneWork, WhatCannotBeReadPromisesWhatAnyFileDoes) {
   EXPECT_EQ(promisedWork(request((m_folder / "missing.gltf").string())), 1);
   EXPECT_EQ(promisedWork(request(m_folder.path().string())), 1) << "a folder";
   EXPECT_EQ(promisedWork(request(write("empty.gltf", ""))), 1);
+  const std::string pipe = (m_folder / "pipe.gltf").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(promisedWork(request(pipe)), 1) << "nobody writes to it: opening it would wait for ever";
 }
 
 TEST_F(SceneWork, TheLongestIsBegunFirst) {
   const std::string plain = write("plain.gltf", "{}"), lobes = write("lobes.gltf", R"("KHR_materials_sheen")");
-  EXPECT_EQ(orderOfWork(m_cache, {request(plain), request(lobes), request(plain), request(lobes)}),
+  EXPECT_EQ(orderOfBlock(m_cache, {request(plain), request(lobes), request(plain), request(lobes)}, 0),
             (Order{1, 3, 0, 2}));
-  EXPECT_EQ(orderOfWork(base::Cache::disabled(), {request(plain), request(lobes)}), (Order{1, 0}));
-  EXPECT_TRUE(orderOfWork(m_cache, {}).empty());
+  EXPECT_EQ(orderOfBlock(base::Cache::disabled(), {request(plain), request(lobes)}, 0), (Order{1, 0}));
+  EXPECT_TRUE(orderOfBlock(m_cache, {}, 0).empty());
 }
 
 TEST_F(SceneWork, WhatAnEarlierRunTookCountsRatherThanThePromise) {
-  const std::vector<SceneRequest> scenes = {request(write("lobes.gltf", R"("KHR_materials_sheen")")),
-                                            request("builtin:spheres"), request("builtin:room"),
-                                            request("builtin:lamps")};
+  std::vector<SceneRequest> scenes = {request(write("lobes.gltf", R"("KHR_materials_sheen")")),
+                                      request("builtin:spheres"), request("builtin:lamps")};
   keepSceneTime(m_cache, scenes[0], 1);
   keepSceneTime(m_cache, scenes[1], 2);
-  keepSceneTime(m_cache, scenes[3], 3);
-  EXPECT_EQ(orderOfWork(m_cache, scenes), (Order{3, 1, 2, 0})) << "the one that is not known counts as the median";
+  keepSceneTime(m_cache, scenes[2], 3);
+  EXPECT_EQ(orderOfBlock(m_cache, scenes, 0), (Order{2, 1, 0}));
+}
+
+TEST_F(SceneWork, PromisesAreScaledToWhatIsKnown) {
+  const std::string lobes = write("lobes.gltf", R"("KHR_materials_sheen", "KHR_materials_clearcoat")");
+  const std::vector<SceneRequest> scenes = {request("builtin:room"), request("builtin:spheres"), request(lobes)};
+  keepSceneTime(m_cache, scenes[1], 10); // promised 1: the others take ten times their promises
+  EXPECT_EQ(orderOfBlock(m_cache, scenes, 0), (Order{2, 0, 1})) << "22, 10 and 10";
+  keepSceneTime(m_cache, scenes[0], 50);
+  EXPECT_EQ(orderOfBlock(m_cache, scenes, 0), (Order{2, 0, 1})) << "66, 50 and 10";
+  keepSceneTime(m_cache, scenes[2], 20);
+  EXPECT_EQ(orderOfBlock(m_cache, scenes, 0), (Order{0, 2, 1}));
 }
 
 TEST_F(SceneWork, ScenesUnderOneEnvironmentStayTogether) {
   const std::string plain = write("plain.gltf", "{}"), lobes = write("lobes.gltf", R"("KHR_materials_sheen")");
   std::vector<SceneRequest> scenes = {request(plain, "a.hdr"), request(lobes, "b.hdr"), request(lobes, "a.hdr"),
                                       request(plain, "b.hdr")};
-  EXPECT_EQ(orderOfWork(m_cache, scenes), (Order{2, 0, 1, 3}));
+  EXPECT_EQ(orderOfBlock(m_cache, scenes, 0), (Order{2, 0, 1, 3}));
   scenes[2].settings.scene.environmentRotationDeg = 90;
-  EXPECT_EQ(orderOfWork(m_cache, scenes), (Order{0, 1, 3, 2})) << "a turned one is another";
+  EXPECT_EQ(orderOfBlock(m_cache, scenes, 0), (Order{0, 1, 3, 2})) << "a turned one is another";
 }
 
-TEST_F(SceneWork, OnlyNeighboursChangePlaces) {
+TEST_F(SceneWork, AllScenesAreInOneBlockAndTheLastIsWhole) {
   const std::string plain = write("plain.gltf", "{}"), lobes = write("lobes.gltf", R"("KHR_materials_sheen")");
-  std::vector<SceneRequest> scenes(kScenesInOrder + 3, request(plain));
-  scenes.back() = scenes[2] = request(lobes);
-  Order expected = {2, 0, 1, kScenesInOrder + 2}; // three, then all others
-  for (std::size_t i = 3; i < kScenesInOrder + 2; ++i) expected.push_back(i);
-  EXPECT_EQ(orderOfWork(m_cache, scenes), expected);
+  for (const std::size_t count : {std::size_t{1}, kScenesInBlock, kScenesInBlock + 3, 2 * kScenesInBlock}) {
+    std::vector<SceneRequest> scenes(count, request(plain));
+    scenes.back() = request(lobes);
+    std::size_t begin = 0;
+    std::vector<std::size_t> block;
+    for (; begin < count; begin += block.size()) {
+      block = orderOfBlock(m_cache, scenes, begin);
+      ASSERT_FALSE(block.empty());
+      EXPECT_EQ(block.front(), begin + block.size() == count ? count - 1 : begin);
+      std::ranges::sort(block);
+      for (std::size_t i = 0; i < block.size(); ++i) EXPECT_EQ(block[i], begin + i);
+    }
+    EXPECT_EQ(begin, count);
+    EXPECT_EQ(block.size(), std::min(count, kScenesInBlock));
+  }
 }
 
 TEST_F(SceneWork, SamplesAreThoseOfAllViewsOnAverage) {
@@ -99,29 +125,41 @@ TEST_F(SceneWork, SamplesAreThoseOfAllViewsOnAverage) {
   EXPECT_EQ(samplesOfAScene(scenes), 2000u);
   scenes[0].settings.samples = 4;
   EXPECT_EQ(samplesOfAScene(scenes), 3500u);
+  scenes[1].partOf = {.views = 5}; // of which --only has left three
+  EXPECT_EQ(samplesOfAScene(scenes), 4500u);
   EXPECT_EQ(samplesOfAScene({}), 0u);
 }
 
-// What GALLIVM_PERF is afterwards; nothing where it is not set.
-std::optional<std::string> effortFor(const std::optional<std::string>& before, int width, int height) {
-  const char* const name = "GALLIVM_PERF";
-  if (before)
-    setenv(name, before->c_str(), 1);
+const char* const kEffort = "GALLIVM_PERF";
+
+std::optional<std::string> effort() {
+  const char* const value = std::getenv(kEffort);
+  return value ? std::optional<std::string>(value) : std::nullopt;
+}
+
+void setEffort(const std::optional<std::string>& value) {
+  if (value)
+    setenv(kEffort, value->c_str(), 1);
   else
-    unsetenv(name);
+    unsetenv(kEffort);
+}
+
+// What it is after the choice, if it was `before`.
+std::optional<std::string> effortFor(const std::optional<std::string>& before, int width, int height) {
+  const std::optional<std::string> ofTester = effort();
+  setEffort(before);
   SceneRequest scene = request("builtin:room");
   scene.settings.width = width, scene.settings.height = height;
   chooseCompilerEffort({scene});
-  const char* const after = std::getenv(name);
-  const std::optional<std::string> found = after ? std::optional<std::string>(after) : std::nullopt;
-  unsetenv(name);
+  std::optional<std::string> found = effort();
+  setEffort(ofTester);
   return found;
 }
 
 TEST_F(SceneWork, TheDriverCompilesQuicklyForSmallPictures) {
   EXPECT_EQ(effortFor(std::nullopt, 512, 512), "nopt");
-  EXPECT_EQ(effortFor(std::nullopt, 1024, 512), "nopt");
-  EXPECT_EQ(effortFor(std::nullopt, 1024, 513), std::nullopt);
+  EXPECT_EQ(effortFor(std::nullopt, 64, 64), "nopt");
+  EXPECT_EQ(effortFor(std::nullopt, 512, 513), std::nullopt);
 }
 
 TEST_F(SceneWork, WhatTheEnvironmentTellsTheDriverStays) {
