@@ -15,16 +15,11 @@
 #include "base/log.h"
 
 #ifdef __SANITIZE_THREAD__
-// TBB's library is not built for the thread sanitizer, which therefore sees neither what orders a loop's start and end
-// (told to it below), nor that TBB hands over its own tasks, and the loop's closure in them, in order. What the loop's
-// body does is still watched.
-#include <sanitizer/tsan_interface.h>
+#include <mutex>
+#include <thread>
+
 extern "C" const char* __tsan_default_suppressions() {
-  return "race_top:oneapi/tbb\n"
-         "race_top:tbb::detail\n"
-         "race_top:std::__atomic_base\n"
-         "race_top:base/parallel.cpp\n"
-         "race:libOpenImageIO\n"; // nor is that one built for it
+  return "race:libOpenImageIO\n"; // it is not built for the thread sanitizer
 }
 #endif
 
@@ -32,20 +27,37 @@ namespace parity::base {
 
 namespace {
 
-// What was done before release() on any thread is seen after acquire() on another.
-class Order {
-public:
-  void release() {
 #ifdef __SANITIZE_THREAD__
-    __tsan_release(this);
-#endif
+// TBB's library is not built for the thread sanitizer, which therefore does not see what orders a loop's start, its
+// tasks and its end. Here each loop has threads of its own. They end with it, and the first exception is thrown.
+void runRanges(std::size_t first, std::size_t ranges, const std::function<void(std::size_t)>& runRange) {
+  std::atomic<std::size_t> next = first;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < ranges; i = next++) try {
+        runRange(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = ranges;
+      }
+  };
+  {
+    std::vector<std::jthread> threads;
+    const std::size_t others = std::min<std::size_t>(ranges - first, static_cast<std::size_t>(threadCount())) - 1;
+    for (std::size_t i = 0; i < others; ++i) threads.emplace_back(run);
+    run();
   }
-  void acquire() {
-#ifdef __SANITIZE_THREAD__
-    __tsan_acquire(this);
+  if (failure) std::rethrow_exception(failure);
+}
+#else
+// Isolated: while it waits for its own ranges, a thread takes no task of an outer loop, which might want a lock that
+// the caller holds.
+void runRanges(std::size_t first, std::size_t ranges, const auto& runRange) {
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(first, ranges, runRange, tbb::simple_partitioner{}); });
+}
 #endif
-  }
-};
 
 // Of the thread's LoopsInBackground; null: none.
 thread_local const std::atomic<bool>* tIsWaitedFor = nullptr;
@@ -79,29 +91,12 @@ int threadCount() {
 void parallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
   assert(grain > 0);
   const std::size_t ranges = count / grain + (count % grain != 0);
-  Order start, end;
-  start.release();
-  const auto runRange = [&](std::size_t i) {
-    start.acquire();
-    struct AtEnd { // also where the body throws
-      Order& order;
-      ~AtEnd() { order.release(); }
-    } const atEnd{end};
-    body(i * grain, i * grain + std::min(grain, count - i * grain));
-  };
+  const auto runRange = [&](std::size_t i) { body(i * grain, i * grain + std::min(grain, count - i * grain)); };
   if (ranges == 1) return runRange(0);
   std::size_t first = 0;
   if (tIsWaitedFor && threadCount() <= 2)
     while (first < ranges && !*tIsWaitedFor) runRange(first++);
-  // Isolated: while it waits for its own ranges, a thread takes no task of an outer loop, which might want a lock that
-  // the caller holds.
-  try {
-    tbb::this_task_arena::isolate([&] { tbb::parallel_for(first, ranges, runRange, tbb::simple_partitioner{}); });
-  } catch (...) {
-    end.acquire();
-    throw;
-  }
-  end.acquire();
+  if (first < ranges) runRanges(first, ranges, runRange);
 }
 
 void parallelInvoke(const std::vector<std::function<void()>>& tasks) {

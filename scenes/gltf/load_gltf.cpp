@@ -239,13 +239,14 @@ Scene loadGltf(const std::string& file, const LoadOptions& options) {
 
   std::vector<GltfPrimitive> built(primitives.size());
   std::vector<std::optional<base::Error>> failed(primitives.size());
+  const std::vector<Material> asRead = scene.materials; // reading the images renumbers those of the scene meanwhile
   const auto buildMeshes = [&] {
     base::parallelFor(primitives.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) try {
           const UsedPrimitive& used = primitives[i];
           const MeshUse& use = uses.uses[used.use];
           const SkinPose* skin = use.skin < 0 ? nullptr : &uses.skins[static_cast<std::size_t>(use.skin)];
-          built[i] = buildPrimitive(document, used.mesh, used.primitive, used.material, scene.materials[used.material],
+          built[i] = buildPrimitive(document, used.mesh, used.primitive, used.material, asRead[used.material],
                                     materials.uvSets[used.material], {use.weights, skin});
         } catch (const base::Error& error) {
           failed[i] = error;
