@@ -1,0 +1,33 @@
+// jemalloc, which programs use in place of the C library's allocator: its settings (jemalloc(3), version 5.3).
+//
+// A report takes and frees hundreds of megabytes again and again: pictures, environments, the memory of a software
+// driver. The C library gives large blocks back to the system, which then makes and clears each page of 4 KiB anew.
+#include <cstddef>
+#include <string>
+
+#include <jemalloc/jemalloc.h>
+
+// jemalloc reads this before the first allocation; the environment variable MALLOC_CONF comes after it.
+//   thp:always          asks for pages of 2 MiB, where the system leaves that to programs
+//   dirty_decay_ms:-1   keeps what was freed for the next block
+//   oversize_threshold  blocks of 1 MiB and more share one arena: what one thread freed serves another
+const char* malloc_conf = "thp:always,dirty_decay_ms:-1,oversize_threshold:1048576";
+
+namespace {
+
+constexpr std::size_t kRegionBytes = std::size_t{1} << 30;
+
+// Gives the arena of large blocks one region of addresses, no memory. Without it regions begin small and double. Freed
+// neighbours in two regions are not joined, so what is freed fits fewer of the blocks that follow: twelve textures of
+// 2048x2048 took 1.3 times the memory. Where the system refuses the addresses, nothing changes.
+[[gnu::constructor]] void reserveRegion() {
+  void* region = mallocx(kRegionBytes, 0);
+  if (!region) return;
+  unsigned arena = 0;
+  std::size_t size = sizeof(arena);
+  const bool isFound = mallctl("arenas.lookup", &arena, &size, &region, sizeof(region)) == 0;
+  dallocx(region, 0);
+  if (isFound) mallctl(("arena." + std::to_string(arena) + ".purge").c_str(), nullptr, nullptr, nullptr, 0);
+}
+
+} // namespace
