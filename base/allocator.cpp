@@ -6,6 +6,7 @@
 #include <string>
 
 #include <jemalloc/jemalloc.h>
+#include <sys/resource.h>
 
 // jemalloc reads this before the first allocation; the environment variable MALLOC_CONF comes after it.
 //   thp:always          asks for pages of 2 MiB, where the system leaves that to programs
@@ -19,8 +20,10 @@ constexpr std::size_t kRegionBytes = std::size_t{1} << 30;
 
 // Gives the arena of large blocks one region of addresses, no memory. Without it regions begin small and double. Freed
 // neighbours in two regions are not joined, so what is freed fits fewer of the blocks that follow: twelve textures of
-// 2048x2048 took 1.3 times the memory. Where the system refuses the addresses, nothing changes.
+// 2048x2048 took 1.3 times the memory. Where addresses are limited or refused, nothing changes.
 [[gnu::constructor]] void reserveRegion() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return;
   void* region = mallocx(kRegionBytes, 0);
   if (!region) return;
   unsigned arena = 0;

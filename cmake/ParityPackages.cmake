@@ -70,6 +70,9 @@ find_library(LIBDEFLATE_LIBRARY deflate REQUIRED)
 find_path(JEMALLOC_INCLUDE_DIR jemalloc/jemalloc.h REQUIRED)
 find_library(JEMALLOC_LIBRARY jemalloc REQUIRED)
 
+find_path(STB_INCLUDE_DIR stb/stb_image_write.h REQUIRED)
+find_library(STB_LIBRARY stb REQUIRED)
+
 # Debian's libwebp has no config.
 find_path(WEBP_INCLUDE_DIR webp/decode.h REQUIRED)
 find_library(WEBP_LIBRARY webp REQUIRED)

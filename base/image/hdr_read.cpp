@@ -1,5 +1,6 @@
 #include "base/image/hdr_read.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -30,9 +31,20 @@ private:
   std::string_view m_rest;
 };
 
+// "EXPOSURE=          1.0000000000000", as stb writes it.
+bool isExposureOfOne(std::string_view line) {
+  constexpr std::string_view kName = "EXPOSURE=";
+  if (!line.starts_with(kName)) return false;
+  line.remove_prefix(std::min(line.find_first_not_of(' ', kName.size()), line.size()));
+  double exposure = 0;
+  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), exposure);
+  return error == std::errc() && end == line.data() + line.size() && exposure == 1;
+}
+
 // Whether a variable of the header leaves the values as they are, and is none that the image library describes.
 bool isPlain(std::string_view line) {
-  return line.starts_with('#') || line == "GAMMA=1" || line.starts_with("PRIMARIES=") || line.starts_with("SOFTWARE=");
+  return line.starts_with('#') || line == "GAMMA=1" || line.starts_with("PRIMARIES=") ||
+         line.starts_with("SOFTWARE=") || isExposureOfOne(line);
 }
 
 bool readVariables(Text& text) {

@@ -16,8 +16,10 @@
 #include "base/file.h"
 #include "base/image/exr_check.h"
 #include "base/image/exr_read.h"
+#include "base/image/exr_write.h"
 #include "base/image/hdr_header.h"
 #include "base/image/hdr_read.h"
+#include "base/image/hdr_write.h"
 #include "base/image/image_format.h"
 #include "base/image/image_module.h"
 #include "base/image/jpeg_header.h"
@@ -47,7 +49,7 @@ std::string extensionOf(const fs::path& file) {
 const ImageModule& loadModule() {
   const auto get = reinterpret_cast<GetImageModule>(
       moduleFunction(kModuleFile, kGetImageModule, "OpenImageIO 2.4 is needed: install libopenimageio2.4",
-                     "image files cannot be read or written"));
+                     "this image file cannot be read"));
   const ImageModule* module = get();
   if (!module || module->version != kImageModuleVersion)
     throw Error(ExitCode::failed, kModuleFile, "",
@@ -276,7 +278,8 @@ void writeImage(const fs::path& file, const Image& image, const WriteOptions& op
   checkWritable(file, image, options);
   if (extensionOf(file) == ".pfm") return writePfm(file, image);
   if (extensionOf(file) == ".png") return writeBytes(file, encodePng(roundTo8(image), options.pngCompression));
-  writeBytes(file, imageModule().encode(file, image, options));
+  if (extensionOf(file) == ".exr") return writeBytes(file, encodeExr(image, options, file.string()));
+  writeBytes(file, encodeHdr(image, file.string()));
 }
 
 void writeImage8(const fs::path& file, const Image8& image, const WriteOptions& options) {

@@ -1,5 +1,5 @@
-// Image files. Plain PNG, OpenEXR, Radiance HDR and TIFF, WebP and PFM are read here; all else by OpenImageIO, which is
-// loaded on first use: its 261 shared libraries would cost every start 0.3 s.
+// Image files. All are written here, and plain PNG, OpenEXR, Radiance HDR and TIFF, WebP and PFM are read here; all
+// else is read by OpenImageIO, which is loaded on first use: its 261 shared libraries would cost every start 0.3 s.
 #pragma once
 
 #include <array>
@@ -100,7 +100,7 @@ struct WriteOptions {
 
 // Writes by the extension: .png (8 bit, value*255+0.5, clamped, NaN as 0; the caller has applied the transfer
 // function), .exr and .pfm (float; .pfm takes 1 or 3 channels), .hdr (3 channels, neither negative nor non-finite). The
-// same image gives the same bytes. Written to a temporary name and renamed. Throws Error (exit 4).
+// same image gives the same bytes. Made in memory, written to a temporary name and renamed. Throws Error (exit 4).
 void writeImage(const std::filesystem::path& file, const Image& image, const WriteOptions& options = {});
 
 // The same for 8-bit data as it is, to .png.

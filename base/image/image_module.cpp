@@ -1,15 +1,10 @@
-// The module that holds OpenImageIO: image files of every kind to and from memory.
+// The module that holds OpenImageIO: reads what image_io.cpp does not read by itself.
 #include "base/image/image_module.h"
 
-#include <algorithm>
-#include <cmath>
 #include <exception>
 #include <limits>
-#include <string_view>
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -19,8 +14,6 @@
 namespace parity::base {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // Whatever the library throws becomes an Error that names the file.
 template <typename Body> auto guarded(const std::string& name, Body&& body) {
@@ -119,44 +112,12 @@ Image8 read8(const ImageSource& source, int channels) {
   });
 }
 
-// Into memory: on a full disk the library's own files come out short, and it reports no error (found with HDR).
-std::vector<std::byte> encode(const fs::path& file, const Image& image, const WriteOptions& options) {
-  const std::string name = file.string();
-  if (oiio::Strutil::iends_with(name, ".hdr"))
-    for (const float v : image.pixels)
-      if (!(v >= 0) || !std::isfinite(v))
-        throw fileError(name, "", "the format cannot hold negative or non-finite values; use .exr");
-  return guarded(name, [&] {
-    const oiio::ImageOutput::unique_ptr output = oiio::ImageOutput::create(name);
-    if (!output || !output->supports("ioproxy"))
-      throw fileError(name, "cannot be written", output ? "not through memory" : reasonOf(oiio::geterror(), name));
-    oiio::ImageSpec spec(image.width, image.height, image.channels,
-                         options.half ? oiio::TypeDesc::HALF : oiio::TypeDesc::FLOAT);
-    if (std::string_view(output->format_name()) == "openexr") {
-      spec.attribute("compression", "zip");
-      spec.attribute("DateTime", ""); // without one the library stores the present, and no two files would be equal
-      if (!options.channelNames.empty()) {
-        spec.channelnames = options.channelNames;
-        spec.alpha_channel = -1; // a name, not a position, tells
-      }
-    }
-    std::vector<unsigned char> bytes;
-    oiio::Filesystem::IOVecOutput memory(bytes);
-    // Closing is where the last bytes come out.
-    if (!output->set_ioproxy(&memory) || !output->open(name, spec) ||
-        !output->write_image(oiio::TypeDesc::FLOAT, image.pixels.data()) || !output->close())
-      throw fileError(name, "cannot be written", reasonOf(output->geterror(), name));
-    const auto* begin = reinterpret_cast<const std::byte*>(bytes.data());
-    return std::vector<std::byte>(begin, begin + bytes.size());
-  });
-}
-
 void limitThreads(int threads) {
   oiio::attribute("threads", threads);
   oiio::attribute("exr_threads", threads);
 }
 
-constexpr ImageModule kModule{kImageModuleVersion, limitThreads, readShape, read, readIntegers, read8, encode};
+constexpr ImageModule kModule{kImageModuleVersion, limitThreads, readShape, read, readIntegers, read8};
 
 } // namespace
 

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "base/image/image.h"
 #include "base/image/image_io.h"
@@ -13,7 +11,7 @@
 
 namespace parity::base {
 
-inline constexpr int kImageModuleVersion = 6; // counts the changes of the structs below
+inline constexpr int kImageModuleVersion = 7; // counts the changes of the structs below
 inline constexpr int kMaxImageChannels = 1024;
 
 // One image to be read.
@@ -24,8 +22,8 @@ struct ImageSource {
   ImageLimits limits{};
 };
 
-// What the module offers. Every function throws Error. Files have been checked to be regular and not empty; images and
-// options to fit the format.
+// What the module offers. Every function throws Error. Files have been checked to be regular and not
+// empty.
 struct ImageModule {
   int version;
   void (*limitThreads)(int threads); // of the library's own pool
@@ -33,8 +31,6 @@ struct ImageModule {
   ImageFile (*read)(const ImageSource& source);
   BasicImage<std::uint32_t> (*readIntegers)(const ImageSource& source);
   Image8 (*read8)(const ImageSource& source, int channels);
-  // `file` tells the format (not PNG), and is the name for messages; nothing is written to it.
-  std::vector<std::byte> (*encode)(const std::filesystem::path& file, const Image& image, const WriteOptions& options);
 };
 
 // The module exports `const ImageModule* parityImageModule()` with C linkage.

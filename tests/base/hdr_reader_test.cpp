@@ -60,6 +60,8 @@ TEST(HdrReader, ReadsEveryValueAndRun) {
       "a.hdr",
       bytesOf("#?RGBE\n# a comment\nGAMMA=1\nPRIMARIES=0 0 0 0 0 0 0 0\nFORMAT=32-bit_rle_rgbe\n\n-Y 3 +X 9\n" +
               makeLines(3) + "what follows is not read")));
+  EXPECT_TRUE(expectAsLibrary(
+      "a.hdr", bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE= 1.00\n\n-Y 3 +X 9\n" + makeLines(3))));
   std::string all; // every mantissa with every exponent but those that are left to the library
   for (int e = 0; e < 256; ++e) {
     if (e == 40 || e == 223 || e == 226) continue;
@@ -86,6 +88,8 @@ TEST(HdrReader, LeavesWhatIsUnusualOrDamagedToTheLibrary) {
       "#?RADIANCE\n" + format + "\n-Y 3 +X 9 \n" + lines,    // more behind the size
       "#?RADIANCE\n" + format + "GAMMA=2.2\n\n-Y 3 +X 9\n" + lines,
       "#?RADIANCE\n" + format + "EXPOSURE=2\n\n-Y 3 +X 9\n" + lines,
+      "#?RADIANCE\n" + format + "EXPOSURE=\n\n-Y 3 +X 9\n" + lines,
+      "#?RADIANCE\n" + format + "EXPOSURE= 1 EV\n\n-Y 3 +X 9\n" + lines,
       "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 3 +X 9\n" + lines,
       "#?RADIANCE\n\n-Y 3 +X 9\n" + lines,
       "#?RADIANCE\n" + format + "\n-Y 3 +X 99999999999\n" + lines,

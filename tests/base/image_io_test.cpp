@@ -196,15 +196,18 @@ TEST(Exr, HoldsManyChannels) {
 
 TEST(Hdr, KeepsAnEighthBitOfMantissa) {
   const TempFolder folder;
-  const Image image = makeNoise(64, 20, 3, 0, 500);
-  writeImage(folder / "a.hdr", image);
-  EXPECT_FALSE(isIntegerImage(folder / "a.hdr"));
-  const Image read = readImage(folder / "a.hdr");
-  ASSERT_EQ(read.pixels.size(), image.pixels.size());
-  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
-    // One exponent for all three: the step is 1/128 of the greatest at most.
-    const float step = *std::max_element(&image.pixels[i], &image.pixels[i] + 3) / 128;
-    for (int c = 0; c < 3; ++c) ASSERT_NEAR(read.pixels[i + c], image.pixels[i + c], step);
+  for (const int width : {1, 7, 64}) { // the narrow ones are stored without runs
+    SCOPED_TRACE(width);
+    const Image image = makeNoise(width, 20, 3, 0, 500);
+    writeImage(folder / "a.hdr", image);
+    EXPECT_FALSE(isIntegerImage(folder / "a.hdr"));
+    const Image read = readImage(folder / "a.hdr");
+    ASSERT_EQ(read.pixels.size(), image.pixels.size());
+    for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+      // One exponent for all three: the step is 1/128 of the greatest at most.
+      const float step = *std::max_element(&image.pixels[i], &image.pixels[i] + 3) / 128;
+      for (int c = 0; c < 3; ++c) ASSERT_NEAR(read.pixels[i + c], image.pixels[i + c], step);
+    }
   }
 }
 
@@ -212,8 +215,11 @@ TEST(Hdr, RefusesWhatItCannotHold) {
   const TempFolder folder;
   for (const float v : {-1.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
     expectError([&] { writeImage(folder / "a.hdr", Image(2, 2, 3, v)); }, "a.hdr", "negative or non-finite");
+  expectError([&] { writeImage(folder / "a.hdr", Image(2, 2, 3, 0x1p127f)); }, "a.hdr", "1.7e38 and more");
   expectError([&] { writeImage(folder / "a.hdr", Image(2, 2, 1)); }, "a.hdr", "cannot hold 1 channels");
   EXPECT_TRUE(folder.entries().empty());
+  writeImage(folder / "a.hdr", Image(2, 2, 3, 0x1p126f)); // the largest power of two that there is
+  EXPECT_EQ(readImage(folder / "a.hdr"), Image(2, 2, 3, 0x1p126f));
 }
 
 TEST(Jpeg, IsRead) {
