@@ -2,6 +2,7 @@
 #include "scenes/gltf/image.h"
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -127,8 +128,12 @@ DecodedImages decodeImages(const GltfDocument& document, const std::vector<int>&
   std::optional<MemoryCharge> charge;
   problems.attempt([&] { charge.emplace(document.memory, transcoderBytes(all), "/images"); });
   if (!charge) return decoded;
+  // In order, whichever thread is free: images that are uploaded, and freed, one after another then lie side by side in
+  // memory, where the device's image of the next texture finds room.
+  std::atomic<std::size_t> next{0};
   base::parallelFor(used.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t taken = begin; taken < end; ++taken) {
+      const std::size_t i = next++;
       decoded.images[i].name = document.images[static_cast<std::size_t>(used[i])].name;
       if (!all[i].isUsable) continue;
       try {
