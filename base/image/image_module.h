@@ -22,8 +22,7 @@ struct ImageSource {
   ImageLimits limits{};
 };
 
-// What the module offers. Every function throws Error. Files have been checked to be regular and not
-// empty.
+// What the module offers. Every function throws Error. Files have been checked to be regular and not empty.
 struct ImageModule {
   int version;
   void (*limitThreads)(int threads); // of the library's own pool

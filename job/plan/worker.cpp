@@ -15,7 +15,6 @@
 
 #include "bake/baked_folder.h"
 #include "base/error.h"
-#include "base/freed_memory.h"
 #include "base/hash.h"
 #include "base/log.h"
 #include "base/machine.h"
@@ -152,7 +151,6 @@ int runWorker(Context& context, const Plan& plan, const std::filesystem::path& f
       throw base::Error(base::ExitCode::usage, "worker", line, "is no unit of the plan");
     page.set("beginning");
     if (!worker.doUnit(unit, [&](double, const std::string& what) { page.set(what); })) break;
-    base::returnFreedMemory(); // the supervisor's limit is for one scene
     say(doneLine(unit));
   }
   constexpr int kOfSignals = 128;

@@ -1,22 +1,12 @@
 // The allocator of programs (base/allocator.cpp), which is linked to this binary as to them.
 #include <cstddef>
 #include <fstream>
-#include <string>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include "base/freed_memory.h"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define PARITY_SKIP_WITHOUT_ALLOCATOR GTEST_SKIP() << "sanitizers bring an allocator of their own"
-extern "C" int mallctl(const char*, void*, std::size_t*, void*, std::size_t) { return 1; }
-#else
-#define PARITY_SKIP_WITHOUT_ALLOCATOR
 #include <jemalloc/jemalloc.h>
-#endif
+#include <unistd.h>
 
 namespace parity::base {
 namespace {
@@ -43,14 +33,12 @@ void takeAndFree(std::size_t bytes) {
 }
 
 TEST(Allocator, HasTheSettingsOfThePrograms) {
-  PARITY_SKIP_WITHOUT_ALLOCATOR;
   EXPECT_STREQ(option<const char*>("opt.thp"), "always");
   EXPECT_EQ(option<std::ptrdiff_t>("opt.dirty_decay_ms"), -1);
   EXPECT_EQ(option<std::size_t>("opt.oversize_threshold"), kMiB);
 }
 
 TEST(Allocator, WhatOneThreadFreedServesAnother) {
-  PARITY_SKIP_WITHOUT_ALLOCATOR;
   const long before = residentMiB();
   takeAndFree(200 * kMiB);
   const long after = residentMiB();
@@ -59,11 +47,9 @@ TEST(Allocator, WhatOneThreadFreedServesAnother) {
   EXPECT_LT(residentMiB(), after + 20);
 }
 
-// Freed blocks of 12 MiB, one after another, make room for others of 18: they are joined. Only as the first test of its
-// process, as ctest runs it, does it notice where there is no region.
+// Freed blocks of 12 MiB, one after another, make room for others of 18: they are joined. The test notices a missing
+// region only where it is the first of its process, as ctest runs it.
 TEST(Allocator, FreedNeighboursAreJoined) {
-  PARITY_SKIP_WITHOUT_ALLOCATOR;
-  returnFreedMemory();
   std::vector<std::vector<char>> small, large;
   for (int i = 0; i < 20; ++i) small.emplace_back(12 * kMiB, 's');
   const long before = residentMiB();
@@ -72,14 +58,6 @@ TEST(Allocator, FreedNeighboursAreJoined) {
     if (i % 3 == 2) large.emplace_back(18 * kMiB, 'l'), large.emplace_back(18 * kMiB, 'l');
   }
   EXPECT_LT(residentMiB(), before + 60);
-}
-
-TEST(Allocator, ReturnsWhatWasFreedWhenAsked) {
-  PARITY_SKIP_WITHOUT_ALLOCATOR;
-  takeAndFree(200 * kMiB);
-  const long before = residentMiB();
-  returnFreedMemory();
-  EXPECT_LT(residentMiB(), before - 190);
 }
 
 } // namespace
