@@ -1,0 +1,217 @@
+#include "gpu/spirv/spirv_half.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <initializer_list>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+#include <glslang/SPIRV/GLSL.std.450.h>
+#include <glslang/SPIRV/spirv.hpp>
+
+#include "gpu/spirv/spirv_module.h"
+
+namespace parity::gpu {
+
+namespace {
+
+// The name as SPIR-V holds it (2.2.1): with its end, in words of little-endian bytes.
+std::vector<std::uint32_t> wordsOf(std::string_view text) {
+  std::vector<std::uint32_t> words(text.size() / 4 + 1);
+  for (std::size_t i = 0; i < text.size(); ++i)
+    words[i / 4] |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) << 8 * (i % 4);
+  return words;
+}
+
+bool isType(std::uint32_t opcode) { return opcode >= spv::OpTypeVoid && opcode <= spv::OpTypeForwardPointer; }
+bool readsImage(std::uint32_t opcode) { return opcode >= spv::OpImageSampleImplicitLod && opcode <= spv::OpImageRead; }
+
+// Whether the result is of the first operand, or where that lies.
+bool isPart(std::uint32_t opcode) {
+  return opcode == spv::OpCompositeExtract || opcode == spv::OpVectorShuffle || opcode == spv::OpCopyObject ||
+         opcode == spv::OpLoad || opcode == spv::OpAccessChain || opcode == spv::OpInBoundsAccessChain;
+}
+
+class HalfConverter {
+public:
+  explicit HalfConverter(const SpirvModule& module)
+      : m_module(module), m_bound(module.bound()),
+        m_functions(static_cast<std::size_t>(
+            std::ranges::find(module.instructions(), spv::OpFunction, &SpirvInstruction::opcode) -
+            module.instructions().begin())) {
+    for (const SpirvInstruction& each : module.instructions())
+      if (each.opcode == spv::OpStore && isFromImage(each.operands[1])) m_ofImages.insert(each.operands[0]);
+  }
+
+  std::vector<std::uint32_t> write() {
+    const std::span<const SpirvInstruction> all = m_module.instructions();
+    const auto globals = all.first(m_functions), functions = all.subspan(m_functions);
+    if (std::ranges::none_of(functions, [&](const SpirvInstruction& each) { return narrows(each); }))
+      return m_module.words();
+    makeGlobals();
+    for (const SpirvInstruction& each : functions)
+      if (narrows(each))
+        narrow(each);
+      else
+        copy(each, m_code);
+
+    Words words(m_module.words().begin(), m_module.words().begin() + kHeaderWords);
+    bool isDecorated = false;
+    for (const SpirvInstruction& each : globals) {
+      if (each.opcode == spv::OpMemoryModel) append(words, m_import); // they stand before it
+      if (isType(each.opcode) && !std::exchange(isDecorated, true)) append(words, m_decorations); // before all types
+      copy(each, words);
+    }
+    append(words, m_globals);
+    append(words, m_code);
+    words[kBoundWord] = m_bound;
+    return words;
+  }
+
+private:
+  using Words = std::vector<std::uint32_t>;
+  static constexpr std::ptrdiff_t kHeaderWords = 5;
+  static constexpr std::size_t kBoundWord = 3;
+
+  static void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+  static void write(Words& words, std::uint32_t opcode, const Words& operands) {
+    words.push_back((static_cast<std::uint32_t>(operands.size() + 1) << spv::WordCountShift) | opcode);
+    append(words, operands);
+  }
+  void copy(const SpirvInstruction& each, Words& words) const {
+    const auto first = m_module.words().begin() + static_cast<std::ptrdiff_t>(each.word);
+    words.insert(words.end(), first, first + (*first >> spv::WordCountShift));
+  }
+
+  // Whether it is what an image instruction returns, or a part of that, or of a variable that ever holds it.
+  bool isFromImage(std::uint32_t value) const {
+    const SpirvInstruction* each = m_module.find(value);
+    for (; each && !readsImage(each->opcode); each = m_module.find(each->operands[0])) {
+      if (m_ofImages.contains(each->result)) return true;
+      if (!isPart(each->opcode) || each->operands.empty() || !m_module.isBefore(each->operands[0], *each)) return false;
+    }
+    return each != nullptr;
+  }
+
+  bool narrows(const SpirvInstruction& each) const {
+    if (each.opcode != spv::OpFConvert || each.operands.empty()) return false;
+    return m_module.shapeOfType(each.type).bits == 16 && m_module.shapeOf(each.operands[0]).bits == 32 &&
+           !isFromImage(each.operands[0]);
+  }
+
+  // That of the module, or a new one: no type may be there twice.
+  std::uint32_t typeOf(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands) {
+    const auto found = std::ranges::find_if(m_module.instructions(), [&](const SpirvInstruction& each) {
+      return each.opcode == opcode && std::ranges::equal(each.operands, operands);
+    });
+    if (found != m_module.instructions().end()) return found->result;
+    Words words = {m_bound};
+    words.insert(words.end(), operands);
+    write(m_globals, opcode, words);
+    return m_bound++;
+  }
+
+  std::uint32_t constantOf(std::uint32_t type, std::uint32_t value) {
+    write(m_globals, spv::OpConstant, {type, m_bound, value});
+    return m_bound++;
+  }
+
+  // GLSL.std.450.
+  std::uint32_t libraryOf() {
+    const Words name = wordsOf("GLSL.std.450");
+    const auto found = std::ranges::find_if(m_module.instructions(), [&](const SpirvInstruction& each) {
+      return each.opcode == spv::OpExtInstImport && std::ranges::equal(each.operands, name);
+    });
+    if (found != m_module.instructions().end()) return found->result;
+    Words words = {m_bound};
+    append(words, name);
+    write(m_import, spv::OpExtInstImport, words);
+    return m_bound++;
+  }
+
+  void makeGlobals() {
+    m_library = libraryOf();
+    m_bool = typeOf(spv::OpTypeBool, {});
+    m_real = typeOf(spv::OpTypeFloat, {32});
+    m_half = typeOf(spv::OpTypeFloat, {16});
+    m_word = typeOf(spv::OpTypeInt, {32, 0});
+    m_halves = typeOf(spv::OpTypeVector, {m_half, 2});
+    m_one = constantOf(m_word, 1);
+    m_thirteen = constantOf(m_word, 13);
+    m_sixteen = constantOf(m_word, 16);
+    m_signMask = constantOf(m_word, 0x8000);
+    m_magnitudeMask = constantOf(m_word, 0x7fffffff);
+    m_infinity = constantOf(m_word, 0x7f800000);
+    m_most = constantOf(m_word, (127 + 16) << 23);        // 65536
+    m_leastNormal = constantOf(m_word, (127 - 14) << 23); // 2^-14
+    m_rebias = constantOf(m_word, 0xfffu - (112u << 23)); // the exponent's bias, and just below half of a unit
+    m_unit = constantOf(m_real, std::bit_cast<std::uint32_t>(0.5f)); // units of 2^-24 end at its last bit
+    m_unitBits = constantOf(m_word, std::bit_cast<std::uint32_t>(0.5f));
+    m_nan = constantOf(m_word, 0x7e00);
+  }
+
+  std::uint32_t compute(spv::Op opcode, std::uint32_t type, std::initializer_list<std::uint32_t> operands) {
+    Words words = {type, m_bound};
+    words.insert(words.end(), operands);
+    write(m_code, opcode, words);
+    return m_bound++;
+  }
+
+  // The 16 bits of the half, in a word.
+  std::uint32_t bitsOfHalf(std::uint32_t x) {
+    const auto word = [&](spv::Op opcode, std::initializer_list<std::uint32_t> operands) {
+      return compute(opcode, m_word, operands);
+    };
+    const std::uint32_t bits = word(spv::OpBitcast, {x});
+    const std::uint32_t sign = word(spv::OpBitwiseAnd, {word(spv::OpShiftRightLogical, {bits, m_sixteen}), m_signMask});
+    const std::uint32_t whole = word(spv::OpBitwiseAnd, {bits, m_magnitudeMask});
+    const std::uint32_t magnitude = word(spv::OpExtInst, {m_library, GLSLstd450UMin, whole, m_most});
+
+    const std::uint32_t odd = word(spv::OpBitwiseAnd, {word(spv::OpShiftRightLogical, {magnitude, m_thirteen}), m_one});
+    const std::uint32_t biased = word(spv::OpIAdd, {magnitude, m_rebias});
+    const std::uint32_t normal = word(spv::OpShiftRightLogical, {word(spv::OpIAdd, {biased, odd}), m_thirteen});
+
+    const std::uint32_t real = compute(spv::OpBitcast, m_real, {magnitude});
+    const std::uint32_t sum = compute(spv::OpFAdd, m_real, {real, m_unit}); // rounds
+    write(m_decorations, spv::OpDecorate, {sum, spv::DecorationNoContraction});
+    const std::uint32_t denormal = word(spv::OpISub, {word(spv::OpBitcast, {sum}), m_unitBits});
+
+    const std::uint32_t isDenormal = compute(spv::OpULessThan, m_bool, {magnitude, m_leastNormal});
+    const std::uint32_t number = word(spv::OpSelect, {isDenormal, denormal, normal});
+    const std::uint32_t isNan = compute(spv::OpUGreaterThan, m_bool, {whole, m_infinity});
+    return word(spv::OpBitwiseOr, {word(spv::OpSelect, {isNan, m_nan, number}), sign});
+  }
+
+  void narrow(const SpirvInstruction& each) {
+    const auto count = static_cast<std::uint32_t>(m_module.shapeOfType(each.type).rows);
+    Words parts = {each.type, each.result};
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t x =
+          count == 1 ? each.operands[0] : compute(spv::OpCompositeExtract, m_real, {each.operands[0], i});
+      const std::uint32_t halves = compute(spv::OpBitcast, m_halves, {bitsOfHalf(x)});
+      if (count == 1) return write(m_code, spv::OpCompositeExtract, {each.type, each.result, halves, 0});
+      parts.push_back(compute(spv::OpCompositeExtract, m_half, {halves, 0}));
+    }
+    write(m_code, spv::OpCompositeConstruct, parts);
+  }
+
+  const SpirvModule& m_module;
+  std::uint32_t m_bound;
+  std::size_t m_functions;                      // the first instruction of functions
+  std::unordered_set<std::uint32_t> m_ofImages; // variables
+  std::uint32_t m_library = 0, m_bool = 0, m_real = 0, m_half = 0, m_word = 0, m_halves = 0; // types
+  std::uint32_t m_one = 0, m_thirteen = 0, m_sixteen = 0, m_signMask = 0, m_magnitudeMask = 0, m_infinity = 0;
+  std::uint32_t m_most = 0, m_leastNormal = 0, m_rebias = 0, m_unit = 0, m_unitBits = 0, m_nan = 0;
+  Words m_import, m_decorations, m_globals, m_code;
+};
+
+} // namespace
+
+std::vector<std::uint32_t> convertHalvesByBits(std::vector<std::uint32_t> words) {
+  const SpirvModule module(std::move(words));
+  return HalfConverter(module).write();
+}
+
+} // namespace parity::gpu

@@ -1,0 +1,100 @@
+// Conversions to half by bits give what the driver's own give, and what rounding to nearest even gives, to the last
+// bit.
+#include "gpu/spirv/spirv_half.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <random>
+#include <string>
+
+#include "gpu/spirv/spirv_specialize.h"
+#include "gpu_shaders/half.comp.h"
+#include "shading/half.h"
+#include "support/device.h"
+
+namespace parity::gpu {
+namespace {
+
+using shading::Half;
+
+constexpr std::size_t kWords = 6; // a number's, as half.comp writes them
+
+// Every half, the numbers halfway between neighbours, the floats beside both, and any bits at all.
+std::vector<float> numbersToConvert() {
+  std::vector<float> numbers;
+  for (std::uint32_t bits = 0; bits <= 0x7c00; ++bits) {
+    const float half = Half::fromBits(static_cast<std::uint16_t>(bits));
+    const float next = bits < 0x7bff ? float(Half::fromBits(static_cast<std::uint16_t>(bits + 1))) : 65536.f;
+    const std::uint32_t exact = std::bit_cast<std::uint32_t>(half),
+                        middle = std::bit_cast<std::uint32_t>(half + (next - half) / 2);
+    for (const std::uint32_t near : {exact - 1, exact, exact + 1, middle - 1, middle, middle + 1})
+      for (const std::uint32_t sign : {0u, 0x80000000u}) numbers.push_back(std::bit_cast<float>(near | sign));
+  }
+  for (const std::uint32_t bits : {0x1u, 0x7fffffu, 0x800000u, 0x7f7fffffu, 0x7f800000u, 0x7f800001u, 0x7fffffffu})
+    for (const std::uint32_t sign : {0u, 0x80000000u}) numbers.push_back(std::bit_cast<float>(bits | sign));
+  std::mt19937 random(1);
+  while (numbers.size() % 64 != 0 || numbers.size() < 600000)
+    numbers.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(random())));
+  return numbers;
+}
+
+class SpirvHalfTest : public tests::DeviceTest {
+protected:
+  std::vector<std::uint32_t> run(const std::vector<std::uint32_t>& words, const std::vector<float>& numbers) const {
+    constexpr auto compute = vk::ShaderStageFlagBits::eCompute;
+    const std::array<std::byte, 4> texel{};
+    const std::span<const std::byte> mip = texel;
+    const DeviceImage image(device(), {.width = 1, .height = 1, .mips = 1}, std::span{&mip, 1});
+    const vk::raii::Sampler sampler(device().handle(), vk::SamplerCreateInfo());
+    const Buffer in(device(), std::span<const float>(numbers)),
+        out(device(), numbers.size() * kWords * sizeof(std::uint32_t));
+    const std::vector<Binding> bindings = {storage(in), storage(out),
+                                           vk::DescriptorImageInfo(*sampler, image.view(), kReadOnlyLayout)};
+    const vk::raii::DescriptorSetLayout setLayout = makeSetLayout(device(), bindings, compute);
+    const std::array<vk::DescriptorSetLayout, 1> layouts = {*setLayout};
+    const vk::raii::PipelineLayout layout = makePipelineLayout(device(), layouts, 0, compute);
+    const DescriptorSets sets(device(), setLayout, std::span{&bindings, 1});
+    const vk::raii::ShaderModule module(device().handle(), vk::ShaderModuleCreateInfo({}, words));
+    const vk::PipelineShaderStageCreateInfo stage({}, compute, *module, "main");
+    const vk::raii::Pipeline pipeline(device().handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout));
+    device().submit("test", [&](const vk::raii::CommandBuffer& commands) {
+      commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+      commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, sets[0], nullptr);
+      commands.dispatch(static_cast<std::uint32_t>(numbers.size() / 64), 1, 1);
+      fullBarrier(commands);
+    });
+    return out.downloadAs<std::uint32_t>(numbers.size() * kWords);
+  }
+};
+
+// Bits of NaN but its sign are left open by both.
+std::uint16_t bitsOf(std::uint16_t half) { return (half & 0x7fffu) > 0x7c00u ? half | 0x7fffu : half; }
+std::uint32_t pairOf(float x, float y) { return bitsOf(Half(x).bits()) | std::uint32_t{bitsOf(Half(y).bits())} << 16; }
+
+TEST_F(SpirvHalfTest, RoundsEveryNumberToTheNearestHalf) {
+  if (!device().report().float16) GTEST_SKIP() << "the device has no arithmetic in half";
+  const std::vector<float> numbers = numbersToConvert();
+  const std::vector<std::uint32_t> plain = specializeSpirv(kHalfComp, std::array{0u}),
+                                   byBits = convertHalvesByBits(plain);
+  ASSERT_NE(byBits, plain);
+  std::vector<std::vector<std::uint32_t>> results = {run(byBits, numbers)};
+  // Another device may round otherwise, or flush denormals: only the software device's own bits are to be kept.
+  if (device().properties().deviceType == vk::PhysicalDeviceType::eCpu) results.push_back(run(plain, numbers));
+  for (const std::vector<std::uint32_t>& result : results)
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const float x = numbers[i], y = numbers[i ^ 1], z = numbers[i ^ 2], w = numbers[i ^ 3];
+      const std::array<std::uint32_t, kWords> expected = {pairOf(x, 0), pairOf(x, y), pairOf(x, y),
+                                                          pairOf(z, 0), pairOf(x, y), pairOf(z, w)};
+      for (std::size_t k = 0; k < kWords; ++k) {
+        const std::uint32_t word = result[kWords * i + k];
+        const std::uint32_t found = bitsOf(static_cast<std::uint16_t>(word)) |
+                                    std::uint32_t{bitsOf(static_cast<std::uint16_t>(word >> 16))} << 16;
+        ASSERT_EQ(found, expected[k]) << "word " << k << " of " << x << ", " << y << ", " << z << ", " << w << ", "
+                                      << (&result == results.data() ? "by bits" : "by the driver");
+      }
+    }
+}
+
+} // namespace
+} // namespace parity::gpu

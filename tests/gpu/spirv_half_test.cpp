@@ -1,0 +1,85 @@
+// What is left of conversions to half in modules. What they compute: spirv_half_device_test.cpp.
+#include "gpu/spirv/spirv_half.h"
+
+#include <algorithm>
+
+#include <glslang/SPIRV/spirv.hpp>
+#include <gtest/gtest.h>
+
+#include "base/expect_error.h"
+#include "gpu/specialize_numbers.h"
+#include "gpu/spirv/spirv_module.h"
+#include "gpu/spirv/spirv_specialize.h"
+#include "gpu_shaders/half.comp.h"
+#include "gpu_shaders/specialize.comp.h"
+
+namespace parity::gpu {
+namespace {
+
+using Words = std::vector<std::uint32_t>;
+
+std::size_t countConversions(const Words& words) {
+  const SpirvModule module(words);
+  return static_cast<std::size_t>(
+      std::ranges::count(module.instructions(), spv::OpFConvert, &SpirvInstruction::opcode));
+}
+
+TEST(SpirvHalf, ReplacesConversionsOfScalarsAndVectors) {
+  for (const std::span<const std::uint32_t> spirv :
+       {std::span<const std::uint32_t>(kHalfComp), std::span<const std::uint32_t>(kHalfCompWritten)}) {
+    const Words before = specializeSpirv(spirv, Words{0}), after = convertHalvesByBits(before);
+    EXPECT_EQ(countConversions(before), 4u);
+    EXPECT_EQ(countConversions(after), 0u);
+    EXPECT_EQ(refusalOf(before), "");
+    EXPECT_EQ(refusalOf(after), "");
+    EXPECT_EQ(convertHalvesByBits(after), after) << "there is nothing left to replace";
+  }
+}
+
+TEST(SpirvHalf, LeavesConversionsOfWhatAnImageHolds) {
+  for (const std::span<const std::uint32_t> spirv :
+       {std::span<const std::uint32_t>(kHalfComp), std::span<const std::uint32_t>(kHalfCompWritten)}) {
+    const Words words = specializeSpirv(spirv, Words{1});
+    EXPECT_EQ(countConversions(words), 2u);
+    EXPECT_EQ(convertHalvesByBits(words), words);
+  }
+}
+
+TEST(SpirvHalf, LeavesModulesWithoutHalves) {
+  const Words words(std::begin(kSpecializeComp), std::end(kSpecializeComp));
+  EXPECT_EQ(convertHalvesByBits(words), words);
+}
+
+// Each is in the module, or is not: the validator says whether one is there twice or none.
+TEST(SpirvHalf, MakesTheTypesAndTheLibraryThatAModuleLacks) {
+  // clang-format off
+  const Words words = {
+      spv::MagicNumber, 0x10300, 0, 10, 0,
+      2 << 16 | spv::OpCapability, spv::CapabilityShader,
+      2 << 16 | spv::OpCapability, spv::CapabilityFloat16,
+      3 << 16 | spv::OpMemoryModel, spv::AddressingModelLogical, spv::MemoryModelGLSL450,
+      4 << 16 | spv::OpEntryPoint, spv::ExecutionModelGLCompute, 1, 'a',
+      6 << 16 | spv::OpExecutionMode, 1, spv::ExecutionModeLocalSize, 1, 1, 1,
+      2 << 16 | spv::OpTypeVoid, 2,
+      3 << 16 | spv::OpTypeFunction, 3, 2,
+      3 << 16 | spv::OpTypeFloat, 4, 32,
+      3 << 16 | spv::OpTypeFloat, 5, 16,
+      4 << 16 | spv::OpConstant, 4, 6, 0x3f8ccccd,
+      5 << 16 | spv::OpFunction, 2, 1, 0, 3,
+      2 << 16 | spv::OpLabel, 7,
+      4 << 16 | spv::OpFConvert, 5, 8, 6,
+      1 << 16 | spv::OpReturn,
+      1 << 16 | spv::OpFunctionEnd};
+  // clang-format on
+  EXPECT_EQ(refusalOf(words), "");
+  const Words after = convertHalvesByBits(words);
+  EXPECT_EQ(refusalOf(after), "");
+  EXPECT_EQ(countConversions(after), 0u);
+}
+
+TEST(SpirvHalf, RefusesWhatIsNoModule) {
+  base::expectError([] { convertHalvesByBits({1, 2, 3, 4, 5}); }, "SPIR-V", "word 0");
+}
+
+} // namespace
+} // namespace parity::gpu
