@@ -49,6 +49,10 @@ PARITY_CONST uint kLobeTextures = kCoatTextures | kSheenTextures | kAnisotropyTe
 // In a texture mask, besides the slots: the alpha of normal maps holds the spread of their normals
 // (gpu/surface/normal_variance.h).
 PARITY_CONST uint kNormalVariance = 1u << kSlotCount;
+// Some texture's uvs are transformed, or of the second set.
+PARITY_CONST uint kTransformedUvs = 1u << (kSlotCount + 1);
+// Of a shader, not of a material: some of its materials lack some of its textures.
+PARITY_CONST uint kTexturesVary = 1u << (kSlotCount + 2);
 
 // Features of a material, as bits.
 PARITY_CONST uint kFeatureUnlit = 1u;

@@ -129,24 +129,31 @@ bool hasVertexData(uint bits) {
   return (sceneCounts.w & bits) != 0u;
 }
 
+// Known at compile time where all of the permutation's materials have the same textures.
 bool hasTexture(int slot, uint material) {
   if ((kTextures & (1u << slot)) == 0u) return false;
+  if ((kTextures & kTexturesVary) == 0u) return true;
   return materials[material].slots[slot].uvRow1.w > 0.5;
 }
 
-// A texture by explicit derivatives: entries of a list have no neighbours.
-vec4 fetch(sampler2D tex, int slot, uint material, uint i) {
+// The uvs of the entry, read once for all textures. A scene without uvs is read at (0,0).
+vec4 entryUv = vec4(0.0); // both sets
+vec4 entryDerivatives[2] = vec4[](vec4(0.0), vec4(0.0)); // of a set: d/dx, d/dy in pixels
+
+void readUvs(uint i) {
+  if (kTextures == 0u || !hasVertexData(kVertexUvs)) return;
+  entryUv = surfaceUv[i];
+  entryDerivatives[0] = surfaceUv0Derivatives[i];
+  if (hasVertexData(kVertexSecondUv)) entryDerivatives[1] = surfaceUv1Derivatives[i];
+}
+
+// A texture at readUvs' place, by explicit derivatives: entries of a list have no neighbours.
+vec4 fetch(sampler2D tex, int slot, uint material) {
+  if ((kTextures & kTransformedUvs) == 0u) return textureGrad(tex, entryUv.xy, entryDerivatives[0].xy, entryDerivatives[0].zw);
   GpuTextureSlot s = materials[material].slots[slot];
-  vec2 uv = vec2(0.0); // a scene without uvs is read at (0,0)
-  vec4 d = vec4(0.0);
-  if (hasVertexData(kVertexUvs)) {
-    uv = surfaceUv[i].xy;
-    d = surfaceUv0Derivatives[i];
-    if (hasVertexData(kVertexSecondUv) && s.uvRow0.w > 0.5) {
-      uv = surfaceUv[i].zw;
-      d = surfaceUv1Derivatives[i];
-    }
-  }
+  bool isSecond = hasVertexData(kVertexSecondUv) && s.uvRow0.w > 0.5;
+  vec2 uv = isSecond ? entryUv.zw : entryUv.xy;
+  vec4 d = isSecond ? entryDerivatives[1] : entryDerivatives[0];
   vec2 st = vec2(dot(s.uvRow0.xyz, vec3(uv, 1.0)), dot(s.uvRow1.xyz, vec3(uv, 1.0)));
   vec2 dx = vec2(dot(s.uvRow0.xy, d.xy), dot(s.uvRow1.xy, d.xy));
   vec2 dy = vec2(dot(s.uvRow0.xy, d.zw), dot(s.uvRow1.xy, d.zw));
@@ -208,22 +215,22 @@ void resolveCoat(inout Resolved r, Point p, uint i) {
   if (!hasFeature(kFeatureCoat, m)) return;
   r.coat = materials[m].coat.x;
   r.coatRoughness = materials[m].coat.y;
-  if (hasTexture(kSlotCoat, m)) r.coat *= fetch(coatTexture, kSlotCoat, m, i).x;
-  if (hasTexture(kSlotCoatRoughness, m)) r.coatRoughness *= fetch(coatRoughnessTexture, kSlotCoatRoughness, m, i).y;
+  if (hasTexture(kSlotCoat, m)) r.coat *= fetch(coatTexture, kSlotCoat, m).x;
+  if (hasTexture(kSlotCoatRoughness, m)) r.coatRoughness *= fetch(coatRoughnessTexture, kSlotCoatRoughness, m).y;
   if (!hasTexture(kSlotCoatNormal, m)) return;
-  vec4 texel = fetch(coatNormalTexture, kSlotCoatNormal, m, i);
+  vec4 texel = fetch(coatNormalTexture, kSlotCoatNormal, m);
   r.coatNormal = mapNormal(p, i, texel, materials[m].coat.z);
   r.coatRoughness = widenBySpread(r.coatRoughness, texel, materials[m].coat.z);
 }
 
-void resolveSheen(inout Resolved r, uint m, uint i) {
+void resolveSheen(inout Resolved r, uint m) {
   r.sheenColor = vec3(0.0);
   r.sheenRoughness = 0.0;
   if (!hasFeature(kFeatureSheen, m)) return;
   r.sheenColor = materials[m].sheen.xyz;
   r.sheenRoughness = materials[m].sheen.w;
-  if (hasTexture(kSlotSheenColor, m)) r.sheenColor *= fetch(sheenColorTexture, kSlotSheenColor, m, i).xyz;
-  if (hasTexture(kSlotSheenRoughness, m)) r.sheenRoughness *= fetch(sheenRoughnessTexture, kSlotSheenRoughness, m, i).w;
+  if (hasTexture(kSlotSheenColor, m)) r.sheenColor *= fetch(sheenColorTexture, kSlotSheenColor, m).xyz;
+  if (hasTexture(kSlotSheenRoughness, m)) r.sheenRoughness *= fetch(sheenRoughnessTexture, kSlotSheenRoughness, m).w;
 }
 
 // KHR_materials_anisotropy. The direction is turned into the plane of the shading normal.
@@ -235,7 +242,7 @@ void resolveAnisotropy(inout Resolved r, Point p, uint i) {
   r.anisotropy = materials[m].anisotropy.x;
   vec2 direction = vec2(1.0, 0.0);
   if (hasTexture(kSlotAnisotropy, m)) {
-    vec3 texel = fetch(anisotropyTexture, kSlotAnisotropy, m, i).xyz;
+    vec3 texel = fetch(anisotropyTexture, kSlotAnisotropy, m).xyz;
     vec2 d = texel.xy * 2.0 - 1.0;
     if (dot(d, d) > 1e-4) direction = normalize(d);
     r.anisotropy *= texel.z;
@@ -248,22 +255,22 @@ void resolveAnisotropy(inout Resolved r, Point p, uint i) {
 }
 
 // KHR_materials_iridescence.
-void resolveFilm(inout Resolved r, uint m, uint i) {
+void resolveFilm(inout Resolved r, uint m) {
   r.iridescence = 0.0;
   r.filmIor = materials[m].film.y;
   r.filmThickness = materials[m].film.w;
   if (!hasFeature(kFeatureIridescence, m)) return;
   r.iridescence = materials[m].film.x;
-  if (hasTexture(kSlotIridescence, m)) r.iridescence *= fetch(iridescenceTexture, kSlotIridescence, m, i).x;
+  if (hasTexture(kSlotIridescence, m)) r.iridescence *= fetch(iridescenceTexture, kSlotIridescence, m).x;
   if (hasTexture(kSlotIridescenceThickness, m)) {
-    float share = fetch(iridescenceThicknessTexture, kSlotIridescenceThickness, m, i).y;
+    float share = fetch(iridescenceThicknessTexture, kSlotIridescenceThickness, m).y;
     r.filmThickness = mix(materials[m].film.z, materials[m].film.w, share);
   }
 }
 
 // KHR_materials_transmission, _volume, _dispersion and _diffuse_transmission. The body's thickness grows with the object as the
 // cube root of its volume.
-void resolveThrough(inout Resolved r, Point p, uint i) {
+void resolveThrough(inout Resolved r, Point p) {
   uint m = p.material;
   r.transmission = r.diffuseTransmission = r.thickness = r.dispersion = 0.0;
   r.diffuseTransmissionColor = materials[m].diffuseThrough.xyz;
@@ -271,20 +278,20 @@ void resolveThrough(inout Resolved r, Point p, uint i) {
   r.absorption = vec3(0.0);
   if (hasFeature(kFeatureTransmission, m)) {
     r.transmission = materials[m].through.x;
-    if (hasTexture(kSlotTransmission, m)) r.transmission *= fetch(transmissionTexture, kSlotTransmission, m, i).x;
+    if (hasTexture(kSlotTransmission, m)) r.transmission *= fetch(transmissionTexture, kSlotTransmission, m).x;
   }
   if (hasFeature(kFeatureDiffuseTransmission, m)) {
     r.diffuseTransmission = materials[m].through.w;
     if (hasTexture(kSlotDiffuseTransmission, m))
-      r.diffuseTransmission *= fetch(diffuseTransmissionTexture, kSlotDiffuseTransmission, m, i).w;
+      r.diffuseTransmission *= fetch(diffuseTransmissionTexture, kSlotDiffuseTransmission, m).w;
     if (hasTexture(kSlotDiffuseTransmissionColor, m))
-      r.diffuseTransmissionColor *= fetch(diffuseTransmissionColorTexture, kSlotDiffuseTransmissionColor, m, i).xyz;
+      r.diffuseTransmissionColor *= fetch(diffuseTransmissionColorTexture, kSlotDiffuseTransmissionColor, m).xyz;
   }
   if (!hasFeature(kFeatureVolume, m)) return;
   vec4 rows[3] = instances[p.instance].toWorld;
   float volume = abs(dot(rows[0].xyz, cross(rows[1].xyz, rows[2].xyz)));
   r.thickness = materials[m].through.z * pow(volume, 1.0 / 3.0);
-  if (hasTexture(kSlotThickness, m)) r.thickness *= fetch(thicknessTexture, kSlotThickness, m, i).y;
+  if (hasTexture(kSlotThickness, m)) r.thickness *= fetch(thicknessTexture, kSlotThickness, m).y;
   r.absorption = materials[m].absorption.xyz;
   r.dispersion = materials[m].absorption.w;
 }
@@ -292,9 +299,10 @@ void resolveThrough(inout Resolved r, Point p, uint i) {
 
 Resolved resolveMaterial(Point p, uint i) {
   uint m = p.material;
+  readUvs(i);
   vec4 base = materials[m].baseColor;
   if (hasVertexData(kVertexColors)) base *= surfaceColor[i];
-  if (hasTexture(kSlotBaseColor, m)) base *= fetch(baseColorTexture, kSlotBaseColor, m, i);
+  if (hasTexture(kSlotBaseColor, m)) base *= fetch(baseColorTexture, kSlotBaseColor, m);
 
   Resolved r;
   r.baseColor = base.xyz;
@@ -302,34 +310,34 @@ Resolved resolveMaterial(Point p, uint i) {
   r.metallic = materials[m].emissiveMetallic.w;
   r.roughness = materials[m].f0Roughness.w;
   if (hasTexture(kSlotMetallicRoughness, m)) {
-    vec4 texel = fetch(metallicRoughnessTexture, kSlotMetallicRoughness, m, i);
+    vec4 texel = fetch(metallicRoughnessTexture, kSlotMetallicRoughness, m);
     r.metallic *= texel.z;
     r.roughness *= texel.y;
   }
   r.roughness = clamp(r.roughness, 0.0, 1.0);
   r.occlusion = 1.0;
-  if (hasTexture(kSlotOcclusion, m)) r.occlusion = 1.0 + materials[m].factors.y * (fetch(occlusionTexture, kSlotOcclusion, m, i).x - 1.0);
+  if (hasTexture(kSlotOcclusion, m)) r.occlusion = 1.0 + materials[m].factors.y * (fetch(occlusionTexture, kSlotOcclusion, m).x - 1.0);
   r.emissive = materials[m].emissiveMetallic.xyz;
-  if (hasTexture(kSlotEmissive, m)) r.emissive *= fetch(emissiveTexture, kSlotEmissive, m, i).xyz;
+  if (hasTexture(kSlotEmissive, m)) r.emissive *= fetch(emissiveTexture, kSlotEmissive, m).xyz;
 
   // KHR_materials_specular: F0 = min(F0(ior) specularColor, 1) specular; F90 = specular.
   r.F0 = materials[m].f0Roughness.xyz;
-  if (hasTexture(kSlotSpecularColor, m)) r.F0 *= fetch(specularColorTexture, kSlotSpecularColor, m, i).xyz;
+  if (hasTexture(kSlotSpecularColor, m)) r.F0 *= fetch(specularColorTexture, kSlotSpecularColor, m).xyz;
   r.F90 = materials[m].factors.z;
-  if (hasTexture(kSlotSpecular, m)) r.F90 *= fetch(specularTexture, kSlotSpecular, m, i).w;
+  if (hasTexture(kSlotSpecular, m)) r.F90 *= fetch(specularTexture, kSlotSpecular, m).w;
   r.F0 = min(r.F0, vec3(1.0)) * r.F90;
   r.normal = p.normal;
   if (hasTexture(kSlotNormal, m)) {
-    vec4 texel = fetch(normalTexture, kSlotNormal, m, i);
+    vec4 texel = fetch(normalTexture, kSlotNormal, m);
     r.normal = mapNormal(p, i, texel, materials[m].factors.x);
     r.roughness = widenBySpread(r.roughness, texel, materials[m].factors.x);
   }
 #ifdef PARITY_LOBES
   resolveCoat(r, p, i);
-  resolveSheen(r, m, i);
+  resolveSheen(r, m);
   resolveAnisotropy(r, p, i);
-  resolveFilm(r, m, i);
-  resolveThrough(r, p, i);
+  resolveFilm(r, m);
+  resolveThrough(r, p);
 #endif
   return r;
 }

@@ -10,8 +10,8 @@
 
 namespace parity::gpu {
 
-// What of a material asks for code of its own: texture slots (and kNormalVariance) and features, as bits
-// (interface.h).
+// What of a material asks for code of its own: texture slots (and kNormalVariance, kTransformedUvs) and features, as
+// bits (interface.h).
 struct MaterialClass {
   std::uint32_t textures = 0, features = 0;
   auto operator<=>(const MaterialClass&) const = default;

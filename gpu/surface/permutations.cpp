@@ -45,15 +45,29 @@ std::string join(const std::vector<std::string>& words) {
   return words.empty() ? "none" : fmt::format("{}", fmt::join(words, ", "));
 }
 
-// Whether the permutation is right for the class, if not exact.
+constexpr std::uint32_t kSlots = (1u << kSlotCount) - 1;
+
+// Whether it has the code that the class needs, and none that the class must not run: it serves the class, once it is
+// widened for it.
 bool serves(const Permutation& p, const MaterialClass& c) {
-  return (c.textures & ~p.textures) == 0 && (c.features & ~p.mayFeatures) == 0 && (p.mustFeatures & ~c.features) == 0;
+  constexpr std::uint32_t kCode = kSlots | kNormalVariance;
+  return (c.textures & kCode & ~p.textures) == 0 && (c.features & ~p.mayFeatures) == 0 &&
+         (p.mustFeatures & ~c.features) == 0;
+}
+
+// Asks at run time, or computes, what the class needs of that.
+Permutation widenFor(Permutation p, const MaterialClass& c) {
+  if (!serves(p, c)) return p;
+  p.textures |= c.textures & kTransformedUvs;
+  if (((p.textures ^ c.textures) & kSlots) != 0) p.textures |= kTexturesVary;
+  return p;
 }
 
 } // namespace
 
 Permutation everyScenePermutation(std::uint32_t textures) {
-  return {textures & ~kLobeTextures, kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend, 0, true};
+  return {(textures & ~kLobeTextures) | kTransformedUvs | kTexturesVary,
+          kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend, 0, true};
 }
 
 PermutationBudget PermutationBudget::withLobes() const {
@@ -75,19 +89,25 @@ void PermutationPlan::add(std::vector<ClassPixels> seen) {
   std::erase_if(seen, [&](const ClassPixels& c) { return has(c.materialClass); });
   std::ranges::stable_sort(seen, std::ranges::greater(), &ClassPixels::pixels);
   std::vector<MaterialClass> rest;
+  const std::size_t before = m_own.size();
   for (const auto& [c, pixels] : seen) {
-    const Permutation exact{c.textures, c.features, c.features};
+    const auto isExact = [&](const Permutation& p) {
+      return serves(p, c) && ((p.textures ^ c.textures) & ~(kTransformedUvs | kTexturesVary)) == 0 &&
+             p.mayFeatures == c.features && p.mustFeatures == c.features;
+    };
     const double savingMs = static_cast<double>(pixels) * kPermutationSavingNsPerPixel * 1e-6;
     const bool isLeft = m_budget.shares ? m_own.size() < m_budget.own : !isLast();
-    if (std::ranges::find(m_own, exact) == m_own.end()) {
+    auto exact = std::ranges::find_if(m_own, isExact);
+    if (exact == m_own.end()) {
       if (!isLeft || savingMs <= kPermutationCostMs) {
         rest.push_back(c);
         continue;
       }
-      m_own.push_back(exact);
+      exact = m_own.insert(m_own.end(), Permutation{c.textures, c.features, c.features});
     }
-    m_planned[c] = exact;
+    m_planned[c] = *exact;
   }
+  for (std::size_t i = before; i < m_own.size(); ++i) widenForOthers(m_own[i]);
   if (m_budget.shares) {
     for (const MaterialClass& c : rest) m_planned[c] = everyScenePermutation(m_textures);
     return;
@@ -107,13 +127,21 @@ void PermutationPlan::add(std::vector<ClassPixels> seen) {
     wide.mayFeatures |= c.features;
     wide.mustFeatures &= c.features;
   }
-  m_own.push_back(wide);
+  for (const MaterialClass& c : rest) wide = widenFor(wide, c);
   for (const MaterialClass& c : rest) m_planned[c] = wide;
+  m_own.push_back(wide);
+  widenForOthers(m_own.back());
 }
 
-std::size_t countTextures(std::uint32_t textures) {
-  return static_cast<std::size_t>(std::popcount(textures & ((1u << kSlotCount) - 1)));
+void PermutationPlan::widenForOthers(Permutation& own) {
+  const Permutation before = own;
+  for (const MaterialClass& c : m_classes)
+    if (!has(c)) own = widenFor(own, c);
+  for (auto& [c, permutation] : m_planned)
+    if (permutation == before) permutation = own;
 }
+
+std::size_t countTextures(std::uint32_t textures) { return static_cast<std::size_t>(std::popcount(textures & kSlots)); }
 
 std::string describeTextures(std::uint32_t textures) {
   std::vector<std::string> words;

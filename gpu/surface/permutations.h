@@ -12,7 +12,8 @@
 
 namespace parity::gpu {
 
-// Specialization constants 0..2: exact for one class of materials, or wide enough for several.
+// Specialization constants 0..2: exact for one class of materials, or wide enough for several, with kTexturesVary where
+// their textures differ.
 struct Permutation {
   std::uint32_t textures = 0, mayFeatures = 0, mustFeatures = 0;
   bool everyScene = false; // it asks at run time for lights, environment and vertex data, too: any scene's materials
@@ -65,6 +66,8 @@ public:
 
 private:
   bool isLast() const { return m_own.size() + 1 >= m_budget.own; }
+  // So that it is right for each class that is not planned yet and that it has the code for: a later one may take it.
+  void widenForOthers(Permutation& own);
 
   PermutationBudget m_budget;
   std::uint32_t m_textures;
@@ -73,7 +76,7 @@ private:
   std::map<MaterialClass, Permutation> m_planned;
 };
 
-// How many textures these bits name (kNormalVariance is none of its own).
+// How many textures these bits name (kNormalVariance and the bits above it are none of their own).
 std::size_t countTextures(std::uint32_t textures);
 // "base colour, normal": the texture slots that it reads; "none".
 std::string describeTextures(std::uint32_t textures);

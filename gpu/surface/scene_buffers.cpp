@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -146,6 +147,14 @@ std::uint32_t lobesOf(const scenes::Material& m) {
          (m.hasDiffuseTransmission() ? kFeatureDiffuseTransmission : 0u);
 }
 
+namespace {
+
+bool transformsUvs(const scenes::TextureSlot& texture) {
+  return texture.texCoord != 0 || texture.uvTransform != scenes::TextureSlot().uvTransform;
+}
+
+} // namespace
+
 MaterialClass classify(const scenes::Material& material) {
   MaterialClass result;
   if (material.unlit) {
@@ -171,8 +180,26 @@ MaterialClass classify(const scenes::Material& material) {
     if (material.fullyRough) result.features |= kFeatureFullyRough;
   }
   if (material.alphaMode == scenes::AlphaMode::blend) result.features |= kFeatureBlend;
+  for (int slot = 0; slot < kSlotCount; ++slot)
+    if ((result.textures >> slot & 1u) != 0 && transformsUvs(*slotsOf(material)[slot]))
+      result.textures |= kTransformedUvs;
   return result;
 }
+
+namespace {
+
+// Materials that differ by kTransformedUvs alone are of one class: that bit is worth no shader of its own.
+void joinClasses(std::vector<MaterialClass>& classes) {
+  std::set<MaterialClass> transformed;
+  for (const MaterialClass& each : classes)
+    if ((each.textures & kTransformedUvs) != 0) transformed.insert(each);
+  for (MaterialClass& each : classes) {
+    const MaterialClass joined{each.textures | kTransformedUvs, each.features};
+    if (transformed.contains(joined)) each = joined;
+  }
+}
+
+} // namespace
 
 SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, SpecularAa specularAa,
                            ImageDone onLastRead, const scenes::LightmapUvs* lightmap)
@@ -185,7 +212,7 @@ SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, Spe
     anyUvs |= !mesh.uv0.empty() || !mesh.uv1.empty();
     anyTangents |= !mesh.tangents.empty();
   }
-  m_textureBits = (((1u << kSlotCount) - 1) & (hasLobes() ? ~0u : ~kLobeTextures)) |
+  m_textureBits = (((1u << kSlotCount) - 1) & (hasLobes() ? ~0u : ~kLobeTextures)) | kTransformedUvs |
                   (specularAa == SpecularAa::toksvig ? kNormalVariance : 0u);
   std::vector<GpuMaterial> gpuMaterials;
   for (const scenes::Material& material : scene.materials) {
@@ -196,6 +223,7 @@ SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, Spe
     for (int slot = 0; slot < kSlotCount; ++slot)
       anySecondUv |= slotsOf(material)[slot]->present() && slotsOf(material)[slot]->texCoord == 1;
   }
+  joinClasses(m_classOfMaterial);
   m_vertexData = (anyColors ? kVertexColors : 0u) | (anyUvs ? kVertexUvs : 0u) | (anyTangents ? kVertexTangents : 0u) |
                  (anySecondUv ? kVertexSecondUv : 0u) | (scene.fog ? kVertexFog : 0u);
 

@@ -91,6 +91,64 @@ TEST_F(MaterialPassTest, TexturesMultiplyTheirFactorsAndTurnTheNormal) {
   EXPECT_NEAR(glm::length(m.normal), 1, 1e-5f);
 }
 
+// One shader serves both materials of a scene: what one of them lacks, and where it reads, is asked at run time.
+TEST_F(MaterialPassTest, MaterialsOfOneShaderReadTheirOwnTexturesAtTheirOwnUvs) {
+  scenes::Scene scene = tests::makeQuadScene();
+  scene.meshes.push_back(tests::makeQuad(1));
+  scene.meshes[1].uv1 = {{1, 0}, {0, 0}, {0, 1}, {1, 1}}; // uv0 mirrored
+  scene.materials.push_back(scene.materials[0]);
+  scene.instances = {{0, glm::scale(tests::translation(-0.5f, 0, 0), {0.5f, 1, 1}), "left"},
+                     {1, glm::scale(tests::translation(0.5f, 0, 0), {0.5f, 1, 1}), "right"}};
+  scenes::TextureImage& image = scene.images.emplace_back();
+  image.pixels = base::Image8(2, 1, 4); // black, white
+  std::fill(image.pixels.pixels.begin() + 4, image.pixels.pixels.end(), std::uint8_t{255});
+  scene.materials[0].normalTexture.image = addTexel(scene, {204, 128, 230, 255}); // (0.6, 0, 0.8)
+  const std::array<float, 4> plain = {0.25f, 0.25f, 0.75f, 0.75f}, swapped = {0.75f, 0.75f, 0.25f, 0.25f},
+                             none = {1, 1, 1, 1};
+  scenes::TextureSlot texture, shifted, second;
+  texture.image = shifted.image = second.image = 0;
+  shifted.uvTransform = {1, 0, 0.5f, 0, 1, 0};
+  second.texCoord = 1;
+  const auto expectColumns = [&](const scenes::TextureSlot& left, const std::array<float, 4>& ofLeft,
+                                 const scenes::TextureSlot& right, const std::array<float, 4>& ofRight) {
+    scene.materials[0].baseColorTexture = left;
+    scene.materials[1].baseColorTexture = right;
+    for (const ResolvedMaterial& m : resolve(scene)) {
+      const auto column = static_cast<std::size_t>((m.position.x + 1) * kMaterialSide / 2);
+      EXPECT_NEAR(m.baseColor.x, column < 4 ? ofLeft[column] : ofRight[column - 4], 1e-2f) << "column " << column;
+      EXPECT_NEAR(m.normal.z, column < 4 ? 0.8f : 1, 1e-2f) << "a map of the left alone, column " << column;
+    }
+  };
+  expectColumns(texture, plain, texture, plain);
+  expectColumns(texture, plain, {}, none);
+  expectColumns(texture, plain, shifted, swapped);
+  expectColumns(shifted, swapped, texture, plain);
+  expectColumns(texture, plain, second, swapped);
+  expectColumns(shifted, swapped, {}, none);
+  scene.materials[1].roughness = 0.5f;
+  scene.materials[1].unlit = true; // of another class
+  expectColumns(texture, plain, shifted, swapped);
+  expectColumns(shifted, swapped, texture, plain);
+}
+
+// Materials that differ in that alone are of one class.
+TEST_F(MaterialPassTest, ATransformOfUvsMakesNoClassOfItsOwn) {
+  scenes::Scene scene = tests::makeQuadScene();
+  addTexel(scene, {1, 2, 3, 255});
+  scene.materials[0].baseColorTexture.image = 0;
+  scene.materials.resize(4, scene.materials[0]);
+  const MaterialClass plain = classify(scene.materials[0]);
+  scene.materials[1].baseColorTexture.uvTransform[2] = 0.5f;
+  scene.materials[2].unlit = true;
+  scene.materials[3].baseColorTexture.image = -1;
+  scene.materials[3].baseColorTexture.uvTransform[2] = 0.5f; // of no texture
+  const SceneBuffers buffers(device(), scene);
+  const MaterialClass transformed{plain.textures | kTransformedUvs, plain.features};
+  EXPECT_EQ(classify(scene.materials[1]), transformed);
+  EXPECT_EQ(buffers.classOfMaterial(),
+            (std::vector{transformed, transformed, classify(scene.materials[2]), MaterialClass{0, plain.features}}));
+}
+
 // A scene without them has none, whatever the memory held before.
 TEST_F(MaterialPassTest, LobesComeBackWhereTheSceneHasThem) {
   scenes::Scene plain = tests::makeQuadScene(), layered = plain;

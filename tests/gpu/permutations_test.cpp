@@ -32,6 +32,7 @@ std::vector<ClassPixels> makeClasses(std::uint32_t count, std::uint64_t pixels) 
 
 void expectServes(const Permutation& permutation, const MaterialClass& c) {
   EXPECT_EQ(permutation.textures & c.textures, c.textures);
+  EXPECT_TRUE(permutation.textures == c.textures || (permutation.textures & kTexturesVary) != 0);
   EXPECT_EQ(permutation.mayFeatures & c.features, c.features);
   EXPECT_EQ(permutation.mustFeatures & ~c.features, 0u) << "a feature that the class lacks must not be compiled in";
 }
@@ -43,7 +44,34 @@ TEST(Permutations, AreExactForASingleClassHoweverSmall) {
 TEST(Permutations, MergeClassesWhoseSavingDoesNotPayForTheCompilation) {
   const auto plan = planAll({{{1, kFeatureNonmetal}, kSmall}, {{2, 0}, kSmall}});
   EXPECT_EQ(plan[0], plan[1]);
-  EXPECT_EQ(plan[0], (Permutation{3, kFeatureNonmetal, 0}));
+  EXPECT_EQ(plan[0], (Permutation{3 | kTexturesVary, kFeatureNonmetal, 0}));
+}
+
+TEST(Permutations, AskForTexturesWhereTheirMaterialsDiffer) {
+  const MaterialClass both{3, 0}, one{1, 0}, same{3, kFeatureUnlit};
+  EXPECT_EQ(planAll({{both, kSmall}, {same, kSmall}})[0], (Permutation{3, kFeatureUnlit, 0})) << "all have the same";
+  EXPECT_EQ(planAll({{both, kBig}})[0], (Permutation{3, 0, 0}));
+  // What is not worth a permutation of its own takes a larger one, which then asks, also where it is seen later.
+  const auto plan = planAll({{both, kBig}, {one, kSmall}});
+  EXPECT_EQ(plan[0], (Permutation{3 | kTexturesVary, 0, 0}));
+  EXPECT_EQ(plan[1], plan[0]);
+  EXPECT_EQ(planAll({{both, kBig}, {one, kBig}}), (std::vector<Permutation>{{3, 0, 0}, {1, 0, 0}}));
+  EXPECT_EQ(planAll({{both, kBig}, {{4, 0}, kSmall}}), (std::vector<Permutation>{{3, 0, 0}, {4, 0, 0}}))
+      << "it has no code for the other";
+  for (const MaterialClass& later : {one, MaterialClass{3 | kTransformedUvs, 0}}) {
+    PermutationPlan views({}, kAllTextures, {both, later});
+    views.add({{both, kBig}});
+    views.add({{later, kSmall}});
+    EXPECT_EQ(views.of(later), views.of(both));
+    EXPECT_EQ(views.of(both), (Permutation{3 | (later == one ? kTexturesVary : kTransformedUvs), 0, 0}));
+  }
+}
+
+TEST(Permutations, TransformUvsWhereAMaterialDoes) {
+  const auto plan = planAll({{{1 | kTransformedUvs, 0}, kSmall}, {{1, kFeatureUnlit}, kSmall}});
+  EXPECT_EQ(plan[0], (Permutation{1 | kTransformedUvs, kFeatureUnlit, 0}));
+  EXPECT_EQ(plan[1], plan[0]);
+  EXPECT_EQ(everyScenePermutation(0).textures, kTransformedUvs | kTexturesVary) << "any scene's materials";
 }
 
 TEST(Permutations, SplitOffAClassWhoseSavingPaysForTheCompilation) {
@@ -51,7 +79,7 @@ TEST(Permutations, SplitOffAClassWhoseSavingPaysForTheCompilation) {
   const auto enough = static_cast<std::uint64_t>(kPermutationCostMs * 1e6 / kPermutationSavingNsPerPixel);
   for (const bool pays : {true, false}) {
     const auto plan = planAll({{{1, kFeatureNonmetal}, kSmall}, {{2, 0}, pays ? enough + 1 : enough}});
-    EXPECT_EQ(plan[1], pays ? (Permutation{2, 0, 0}) : (Permutation{3, kFeatureNonmetal, 0}));
+    EXPECT_EQ(plan[1], pays ? (Permutation{2, 0, 0}) : (Permutation{3 | kTexturesVary, kFeatureNonmetal, 0}));
     EXPECT_EQ(plan[0], pays ? (Permutation{1, kFeatureNonmetal, kFeatureNonmetal}) : plan[1]);
   }
 }
