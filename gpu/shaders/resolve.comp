@@ -74,7 +74,7 @@ void main() {
     surfaceUv[i] = uv0 + uc * du + vc * dv;
     vec4 uv_x = u_x * du + v_x * dv, uv_y = u_y * du + v_y * dv;
     surfaceUv0Derivatives[i] = vec4(uv_x.xy, uv_y.xy);
-    surfaceUv1Derivatives[i] = vec4(uv_x.zw, uv_y.zw);
+    if ((kVertexData & kVertexSecondUv) != 0u) surfaceUv1Derivatives[i] = vec4(uv_x.zw, uv_y.zw);
   }
   if ((kVertexData & kVertexLightmap) != 0u) {
     vec2 uv = vec2(0.0);

@@ -82,7 +82,7 @@ void SurfacePass::Impl::resolveInto(Surface& surface, const scenes::Camera& came
   surface.fog = make(data & kVertexFog);
   surface.uv = make(data & kVertexUvs);
   surface.uv0Derivatives = make(data & kVertexUvs);
-  surface.uv1Derivatives = make(data & kVertexUvs);
+  surface.uv1Derivatives = make((data & kVertexUvs) && (data & kVertexSecondUv));
   surface.tangent = make(data & kVertexTangents);
   surface.lightmap = make(data & kVertexLightmap);
   if (entries.empty()) return;
