@@ -58,6 +58,7 @@ struct TextureSlot {
   Sampler sampler;
   std::array<float, 6> uvTransform{1, 0, 0, 0, 1, 0};
   bool present() const { return image >= 0; }
+  bool operator==(const TextureSlot&) const = default;
 };
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };

@@ -51,8 +51,12 @@ PARITY_CONST uint kLobeTextures = kCoatTextures | kSheenTextures | kAnisotropyTe
 PARITY_CONST uint kNormalVariance = 1u << kSlotCount;
 // Some texture's uvs are transformed, or of the second set.
 PARITY_CONST uint kTransformedUvs = 1u << (kSlotCount + 1);
+// Occlusion is read apart from metallic-roughness: of another image, or in another way.
+PARITY_CONST uint kOcclusionApart = 1u << (kSlotCount + 2);
+// What a shader of several materials does if one of them needs it.
+PARITY_CONST uint kTextureReads = kTransformedUvs | kOcclusionApart;
 // Of a shader, not of a material: some of its materials lack some of its textures.
-PARITY_CONST uint kTexturesVary = 1u << (kSlotCount + 2);
+PARITY_CONST uint kTexturesVary = 1u << (kSlotCount + 3);
 
 // Features of a material, as bits.
 PARITY_CONST uint kFeatureUnlit = 1u;

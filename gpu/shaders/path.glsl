@@ -309,14 +309,18 @@ Resolved resolveMaterial(Point p, uint i) {
   r.opacity = hasFeature(kFeatureBlend, m) ? clamp(base.w, 0.0, 1.0) : 1.0;
   r.metallic = materials[m].emissiveMetallic.w;
   r.roughness = materials[m].f0Roughness.w;
+  vec4 orm = vec4(1.0);
   if (hasTexture(kSlotMetallicRoughness, m)) {
-    vec4 texel = fetch(metallicRoughnessTexture, kSlotMetallicRoughness, m);
-    r.metallic *= texel.z;
-    r.roughness *= texel.y;
+    orm = fetch(metallicRoughnessTexture, kSlotMetallicRoughness, m);
+    r.metallic *= orm.z;
+    r.roughness *= orm.y;
   }
   r.roughness = clamp(r.roughness, 0.0, 1.0);
   r.occlusion = 1.0;
-  if (hasTexture(kSlotOcclusion, m)) r.occlusion = 1.0 + materials[m].factors.y * (fetch(occlusionTexture, kSlotOcclusion, m).x - 1.0);
+  if (hasTexture(kSlotOcclusion, m)) {
+    if ((kTextures & kOcclusionApart) != 0u) orm = fetch(occlusionTexture, kSlotOcclusion, m);
+    r.occlusion = 1.0 + materials[m].factors.y * (orm.x - 1.0);
+  }
   r.emissive = materials[m].emissiveMetallic.xyz;
   if (hasTexture(kSlotEmissive, m)) r.emissive *= fetch(emissiveTexture, kSlotEmissive, m).xyz;
 

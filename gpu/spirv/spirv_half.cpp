@@ -5,8 +5,9 @@
 #include <bit>
 #include <initializer_list>
 #include <string_view>
-#include <unordered_set>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include <glslang/SPIRV/GLSL.std.450.h>
 #include <glslang/SPIRV/spirv.hpp>
@@ -28,11 +29,7 @@ std::vector<std::uint32_t> wordsOf(std::string_view text) {
 bool isType(std::uint32_t opcode) { return opcode >= spv::OpTypeVoid && opcode <= spv::OpTypeForwardPointer; }
 bool readsImage(std::uint32_t opcode) { return opcode >= spv::OpImageSampleImplicitLod && opcode <= spv::OpImageRead; }
 
-// Whether the result is of the first operand, or where that lies.
-bool isPart(std::uint32_t opcode) {
-  return opcode == spv::OpCompositeExtract || opcode == spv::OpVectorShuffle || opcode == spv::OpCopyObject ||
-         opcode == spv::OpLoad || opcode == spv::OpAccessChain || opcode == spv::OpInBoundsAccessChain;
-}
+bool isChain(std::uint32_t opcode) { return opcode == spv::OpAccessChain || opcode == spv::OpInBoundsAccessChain; }
 
 class HalfConverter {
 public:
@@ -40,9 +37,11 @@ public:
       : m_module(module), m_bound(module.bound()),
         m_functions(static_cast<std::size_t>(
             std::ranges::find(module.instructions(), spv::OpFunction, &SpirvInstruction::opcode) -
-            module.instructions().begin())) {
-    for (const SpirvInstruction& each : module.instructions())
-      if (each.opcode == spv::OpStore && isFromImage(each.operands[1])) m_ofImages.insert(each.operands[0]);
+            module.instructions().begin())),
+        m_isMoved(module.bound()) {
+    findParameters();
+    while (markMoved()) {
+    }
   }
 
   std::vector<std::uint32_t> write() {
@@ -85,20 +84,82 @@ private:
     words.insert(words.end(), first, first + (*first >> spv::WordCountShift));
   }
 
-  // Whether it is what an image instruction returns, or a part of that, or of a variable that ever holds it.
-  bool isFromImage(std::uint32_t value) const {
-    const SpirvInstruction* each = m_module.find(value);
-    for (; each && !readsImage(each->opcode); each = m_module.find(each->operands[0])) {
-      if (m_ofImages.contains(each->result)) return true;
-      if (!isPart(each->opcode) || each->operands.empty() || !m_module.isBefore(each->operands[0], *each)) return false;
+  void findParameters() {
+    std::uint32_t function = 0;
+    for (const SpirvInstruction& each : m_module.instructions()) {
+      if (each.opcode == spv::OpFunction) function = each.result;
+      if (each.opcode == spv::OpFunctionParameter) m_parameters[function].push_back(each.result);
     }
-    return each != nullptr;
+  }
+
+  bool isMoved(std::uint32_t id) const { return id < m_isMoved.size() && m_isMoved[id]; }
+  bool mark(std::uint32_t id, bool moved) {
+    if (!moved || id >= m_isMoved.size() || m_isMoved[id]) return false;
+    return m_isMoved[id] = true;
+  }
+
+  // Marks what image instructions return, and all that may hold it unchanged: parts, variables, parameters and results
+  // of functions (by the function's id). Whether it has marked any.
+  bool markMoved() {
+    bool isNew = false;
+    std::uint32_t function = 0;
+    for (const SpirvInstruction& each : m_module.instructions()) {
+      const auto any = [&](std::size_t first) {
+        return std::ranges::any_of(each.operands.subspan(std::min(first, each.operands.size())),
+                                   [&](std::uint32_t id) { return isMoved(id); });
+      };
+      switch (each.opcode) {
+      case spv::OpFunction:
+        function = each.result;
+        break;
+      case spv::OpReturnValue:
+        isNew |= mark(function, any(0));
+        break;
+      case spv::OpStore: {
+        std::uint32_t variable = each.operands[0];
+        isNew |= mark(variable, any(1));
+        for (const SpirvInstruction* chain = m_module.find(variable); chain && isChain(chain->opcode);
+             chain = m_module.find(variable)) {
+          if (!m_module.isBefore(chain->operands[0], *chain)) break;
+          variable = chain->operands[0];
+          isNew |= mark(variable, any(1));
+        }
+        break;
+      }
+      case spv::OpFunctionCall: {
+        const std::vector<std::uint32_t>& parameters = m_parameters[each.operands[0]];
+        for (std::size_t i = 0; i < parameters.size() && i + 1 < each.operands.size(); ++i) {
+          isNew |= mark(parameters[i], isMoved(each.operands[i + 1]));
+          isNew |= mark(each.operands[i + 1], isMoved(parameters[i])); // of a pointer
+        }
+        isNew |= mark(each.result, isMoved(each.operands[0]));
+        break;
+      }
+      case spv::OpCompositeExtract:
+      case spv::OpCopyObject:
+      case spv::OpLoad:
+      case spv::OpAccessChain:
+      case spv::OpInBoundsAccessChain:
+        isNew |= mark(each.result, !each.operands.empty() && isMoved(each.operands[0]));
+        break;
+      case spv::OpVectorShuffle:
+      case spv::OpCompositeInsert:
+      case spv::OpCompositeConstruct:
+      case spv::OpPhi:
+      case spv::OpSelect:
+        isNew |= mark(each.result, any(0)); // literals among the operands mark too much at worst
+        break;
+      default:
+        isNew |= mark(each.result, readsImage(each.opcode));
+      }
+    }
+    return isNew;
   }
 
   bool narrows(const SpirvInstruction& each) const {
-    if (each.opcode != spv::OpFConvert || each.operands.empty()) return false;
-    return m_module.shapeOfType(each.type).bits == 16 && m_module.shapeOf(each.operands[0]).bits == 32 &&
-           !isFromImage(each.operands[0]);
+    if (each.opcode != spv::OpFConvert || each.operands.empty() || isMoved(each.operands[0])) return false;
+    const SpirvShape to = m_module.shapeOfType(each.type);
+    return to.bits == 16 && to.rows <= 4 && m_module.shapeOf(each.operands[0]).bits == 32;
   }
 
   // That of the module, or a new one: no type may be there twice.
@@ -199,8 +260,9 @@ private:
 
   const SpirvModule& m_module;
   std::uint32_t m_bound;
-  std::size_t m_functions;                      // the first instruction of functions
-  std::unordered_set<std::uint32_t> m_ofImages; // variables
+  std::size_t m_functions;                                                    // the first instruction of functions
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> m_parameters; // of functions
+  std::vector<bool> m_isMoved;                                                // ids that may hold what an image holds
   std::uint32_t m_library = 0, m_bool = 0, m_real = 0, m_half = 0, m_word = 0, m_halves = 0; // types
   std::uint32_t m_one = 0, m_thirteen = 0, m_sixteen = 0, m_signMask = 0, m_magnitudeMask = 0, m_infinity = 0;
   std::uint32_t m_most = 0, m_leastNormal = 0, m_rebias = 0, m_unit = 0, m_unitBits = 0, m_nan = 0;

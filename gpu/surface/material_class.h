@@ -10,7 +10,7 @@
 
 namespace parity::gpu {
 
-// What of a material asks for code of its own: texture slots (and kNormalVariance, kTransformedUvs) and features, as
+// What of a material asks for code of its own: texture slots (and kNormalVariance, kTextureReads) and features, as
 // bits (interface.h).
 struct MaterialClass {
   std::uint32_t textures = 0, features = 0;

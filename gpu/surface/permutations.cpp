@@ -47,18 +47,19 @@ std::string join(const std::vector<std::string>& words) {
 
 constexpr std::uint32_t kSlots = (1u << kSlotCount) - 1;
 
-// Whether it has the code that the class needs, and none that the class must not run: it serves the class, once it is
-// widened for it.
+// Whether the permutation has the code that the class needs, and none that the class must not run. It serves the class
+// once it is widened for it.
 bool serves(const Permutation& p, const MaterialClass& c) {
   constexpr std::uint32_t kCode = kSlots | kNormalVariance;
   return (c.textures & kCode & ~p.textures) == 0 && (c.features & ~p.mayFeatures) == 0 &&
          (p.mustFeatures & ~c.features) == 0;
 }
 
-// Asks at run time, or computes, what the class needs of that.
+// The permutation with what the class needs it to ask at run time, and to read apart; the same where it does not serve
+// the class.
 Permutation widenFor(Permutation p, const MaterialClass& c) {
   if (!serves(p, c)) return p;
-  p.textures |= c.textures & kTransformedUvs;
+  p.textures |= c.textures & kTextureReads;
   if (((p.textures ^ c.textures) & kSlots) != 0) p.textures |= kTexturesVary;
   return p;
 }
@@ -66,7 +67,7 @@ Permutation widenFor(Permutation p, const MaterialClass& c) {
 } // namespace
 
 Permutation everyScenePermutation(std::uint32_t textures) {
-  return {(textures & ~kLobeTextures) | kTransformedUvs | kTexturesVary,
+  return {(textures & ~kLobeTextures) | kTextureReads | kTexturesVary,
           kFeatureUnlit | kFeatureNonmetal | kFeatureFullyRough | kFeatureBlend, 0, true};
 }
 
@@ -92,8 +93,9 @@ void PermutationPlan::add(std::vector<ClassPixels> seen) {
   const std::size_t before = m_own.size();
   for (const auto& [c, pixels] : seen) {
     const auto isExact = [&](const Permutation& p) {
-      return serves(p, c) && ((p.textures ^ c.textures) & ~(kTransformedUvs | kTexturesVary)) == 0 &&
-             p.mayFeatures == c.features && p.mustFeatures == c.features;
+      return ((p.textures ^ c.textures) & ~(kTextureReads | kTexturesVary)) == 0 &&
+             (c.textures & kTextureReads & ~p.textures) == 0 && p.mayFeatures == c.features &&
+             p.mustFeatures == c.features;
     };
     const double savingMs = static_cast<double>(pixels) * kPermutationSavingNsPerPixel * 1e-6;
     const bool isLeft = m_budget.shares ? m_own.size() < m_budget.own : !isLast();
@@ -107,11 +109,11 @@ void PermutationPlan::add(std::vector<ClassPixels> seen) {
     }
     m_planned[c] = *exact;
   }
-  for (std::size_t i = before; i < m_own.size(); ++i) widenForOthers(m_own[i]);
   if (m_budget.shares) {
     for (const MaterialClass& c : rest) m_planned[c] = everyScenePermutation(m_textures);
     return;
   }
+  for (std::size_t i = before; i < m_own.size(); ++i) widenForOthers(m_own[i]);
   std::erase_if(rest, [&](const MaterialClass& c) {
     const auto found = std::ranges::find_if(m_own, [&](const Permutation& p) { return serves(p, c); });
     if (found != m_own.end()) m_planned[c] = *found;

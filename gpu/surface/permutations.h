@@ -12,8 +12,8 @@
 
 namespace parity::gpu {
 
-// Specialization constants 0..2: exact for one class of materials, or wide enough for several, with kTexturesVary where
-// their textures differ.
+// Specialization constants 0..2: exact for one class of materials, or wide enough for several: with kTexturesVary where
+// their textures differ, and with the kTextureReads of all.
 struct Permutation {
   std::uint32_t textures = 0, mayFeatures = 0, mustFeatures = 0;
   bool everyScene = false; // it asks at run time for lights, environment and vertex data, too: any scene's materials
@@ -66,7 +66,8 @@ public:
 
 private:
   bool isLast() const { return m_own.size() + 1 >= m_budget.own; }
-  // So that it is right for each class that is not planned yet and that it has the code for: a later one may take it.
+  // Widens the permutation for each class that is not planned yet and that it has the code for: a later add() may give
+  // it to that class.
   void widenForOthers(Permutation& own);
 
   PermutationBudget m_budget;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <set>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -183,20 +183,20 @@ MaterialClass classify(const scenes::Material& material) {
   for (int slot = 0; slot < kSlotCount; ++slot)
     if ((result.textures >> slot & 1u) != 0 && transformsUvs(*slotsOf(material)[slot]))
       result.textures |= kTransformedUvs;
+  constexpr std::uint32_t kOcclusion = 1u << kSlotOcclusion;
+  if ((result.textures & kOcclusion) != 0 && material.occlusionTexture != material.metallicRoughnessTexture)
+    result.textures |= kOcclusionApart;
   return result;
 }
 
 namespace {
 
-// Materials that differ by kTransformedUvs alone are of one class: that bit is worth no shader of its own.
+// Materials that differ by kTextureReads alone are of one class: those bits are worth no shader of their own.
 void joinClasses(std::vector<MaterialClass>& classes) {
-  std::set<MaterialClass> transformed;
-  for (const MaterialClass& each : classes)
-    if ((each.textures & kTransformedUvs) != 0) transformed.insert(each);
-  for (MaterialClass& each : classes) {
-    const MaterialClass joined{each.textures | kTransformedUvs, each.features};
-    if (transformed.contains(joined)) each = joined;
-  }
+  const auto plainOf = [](const MaterialClass& c) { return MaterialClass{c.textures & ~kTextureReads, c.features}; };
+  std::map<MaterialClass, std::uint32_t> reads;
+  for (const MaterialClass& each : classes) reads[plainOf(each)] |= each.textures & kTextureReads;
+  for (MaterialClass& each : classes) each.textures |= reads[plainOf(each)];
 }
 
 } // namespace
@@ -212,7 +212,7 @@ SceneBuffers::SceneBuffers(const Device& device, const scenes::Scene& scene, Spe
     anyUvs |= !mesh.uv0.empty() || !mesh.uv1.empty();
     anyTangents |= !mesh.tangents.empty();
   }
-  m_textureBits = (((1u << kSlotCount) - 1) & (hasLobes() ? ~0u : ~kLobeTextures)) | kTransformedUvs |
+  m_textureBits = (((1u << kSlotCount) - 1) & (hasLobes() ? ~0u : ~kLobeTextures)) | kTextureReads |
                   (specularAa == SpecularAa::toksvig ? kNormalVariance : 0u);
   std::vector<GpuMaterial> gpuMaterials;
   for (const scenes::Material& material : scene.materials) {
@@ -285,7 +285,7 @@ void SceneBuffers::uploadGeometry(const Device& device) {
 }
 
 void SceneBuffers::setFactors(std::size_t index, const scenes::Material& material) const {
-  assert(classify(material).features == classify(m_scene.materials[index]).features);
+  assert(classify(material) == classify(m_scene.materials[index]));
   const GpuMaterial packed = pack(material);
   materials.upload(std::as_bytes(std::span(&packed, 1)), index * sizeof(packed));
 }

@@ -8,13 +8,17 @@ layout(set = 0, binding = 1) writeonly buffer Halves { uint halves[]; }; // 6 wo
 layout(set = 0, binding = 2) uniform sampler2D image;
 layout(constant_id = 0) const bool kReadsImage = false;
 
+vec4 read(vec2 uv) { return textureLod(image, uv, 0.0); }
+
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= uint(numbers.length())) return;
   vec4 v = vec4(numbers[i], numbers[i ^ 1u], numbers[i ^ 2u], numbers[i ^ 3u]);
   if (kReadsImage) {
-    vec4 texel = textureLod(image, v.xy, 0.0);
-    halves[i] = packFloat2x16(f16vec2(texel.xy) * float16_t(texel.w));
+    f16vec2 texel = f16vec2(read(v.xy).xy);
+    vec4 kept = vec4(1.0);
+    if (v.z > 0.0) kept.yz = textureLod(image, v.zw, 0.0).yw;
+    halves[i] = packFloat2x16(texel * float16_t(kept.z));
     return;
   }
   f16vec3 three = f16vec3(v.xyz);

@@ -125,10 +125,46 @@ TEST_F(MaterialPassTest, MaterialsOfOneShaderReadTheirOwnTexturesAtTheirOwnUvs) 
   expectColumns(shifted, swapped, texture, plain);
   expectColumns(texture, plain, second, swapped);
   expectColumns(shifted, swapped, {}, none);
-  scene.materials[1].roughness = 0.5f;
+  scene.meshes[1].uv1.assign(4, {0.75f, 0.5f}); // the white texel, not minified, where uv0 would be
+  for (glm::vec2& uv : scene.meshes[1].uv0) uv *= 64;
+  expectColumns(texture, plain, second, none);
+  scene.meshes[1].uv0 = scene.meshes[0].uv0;
   scene.materials[1].unlit = true; // of another class
   expectColumns(texture, plain, shifted, swapped);
   expectColumns(shifted, swapped, texture, plain);
+}
+
+// Of one image, occlusion and metallic-roughness are one texel; what reads another, or reads it otherwise, has its own.
+TEST_F(MaterialPassTest, OcclusionIsReadWhereItsSlotSays) {
+  scenes::Scene scene = tests::makeQuadScene();
+  const int both = addTexel(scene, {51, 102, 204, 255}), apart = addTexel(scene, {153, 0, 0, 255});
+  scenes::Material& material = scene.materials[0];
+  const auto occlusion = [&] { return resolve(scene).front().occlusion; };
+  material.metallicRoughnessTexture.image = material.occlusionTexture.image = both;
+  EXPECT_NEAR(occlusion(), 0.2f, 1e-5f);
+  material.occlusionTexture.image = apart;
+  EXPECT_NEAR(occlusion(), 0.6f, 1e-5f);
+  material.metallicRoughnessTexture.image = -1;
+  EXPECT_NEAR(occlusion(), 0.6f, 1e-5f);
+  const auto isApart = [&] { return (classify(material).textures & kOcclusionApart) != 0; };
+  EXPECT_TRUE(isApart());
+  material.metallicRoughnessTexture = material.occlusionTexture;
+  EXPECT_FALSE(isApart());
+  material.occlusionTexture.uvTransform[2] = 0.5f;
+  EXPECT_TRUE(isApart());
+  material.occlusionTexture = material.metallicRoughnessTexture;
+  material.occlusionTexture.sampler.wrapU = scenes::Wrap::clampToEdge;
+  EXPECT_TRUE(isApart());
+  material.occlusionTexture = {};
+  EXPECT_FALSE(isApart()) << "there is none";
+  // Two materials of one shader.
+  scene.materials[0].metallicRoughnessTexture.image = scene.materials[0].occlusionTexture.image = both;
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].occlusionTexture.image = apart;
+  scene.meshes.push_back(tests::makeQuad(1));
+  scene.instances = {{0, glm::scale(tests::translation(-0.5f, 0, 0), {0.5f, 1, 1}), "left"},
+                     {1, glm::scale(tests::translation(0.5f, 0, 0), {0.5f, 1, 1}), "right"}};
+  for (const ResolvedMaterial& m : resolve(scene)) EXPECT_NEAR(m.occlusion, m.position.x < 0 ? 0.2f : 0.6f, 1e-5f);
 }
 
 // Materials that differ in that alone are of one class.

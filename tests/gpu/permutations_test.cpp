@@ -32,7 +32,8 @@ std::vector<ClassPixels> makeClasses(std::uint32_t count, std::uint64_t pixels) 
 
 void expectServes(const Permutation& permutation, const MaterialClass& c) {
   EXPECT_EQ(permutation.textures & c.textures, c.textures);
-  EXPECT_TRUE(permutation.textures == c.textures || (permutation.textures & kTexturesVary) != 0);
+  constexpr std::uint32_t kSlots = (1u << kSlotCount) - 1;
+  EXPECT_TRUE((permutation.textures & kSlots) == c.textures || (permutation.textures & kTexturesVary) != 0);
   EXPECT_EQ(permutation.mayFeatures & c.features, c.features);
   EXPECT_EQ(permutation.mustFeatures & ~c.features, 0u) << "a feature that the class lacks must not be compiled in";
 }
@@ -58,20 +59,39 @@ TEST(Permutations, AskForTexturesWhereTheirMaterialsDiffer) {
   EXPECT_EQ(planAll({{both, kBig}, {one, kBig}}), (std::vector<Permutation>{{3, 0, 0}, {1, 0, 0}}));
   EXPECT_EQ(planAll({{both, kBig}, {{4, 0}, kSmall}}), (std::vector<Permutation>{{3, 0, 0}, {4, 0, 0}}))
       << "it has no code for the other";
-  for (const MaterialClass& later : {one, MaterialClass{3 | kTransformedUvs, 0}}) {
+  for (const MaterialClass& later :
+       {one, MaterialClass{3 | kTransformedUvs, 0}, MaterialClass{3 | kOcclusionApart, 0}}) {
     PermutationPlan views({}, kAllTextures, {both, later});
     views.add({{both, kBig}});
     views.add({{later, kSmall}});
     EXPECT_EQ(views.of(later), views.of(both));
-    EXPECT_EQ(views.of(both), (Permutation{3 | (later == one ? kTexturesVary : kTransformedUvs), 0, 0}));
+    EXPECT_EQ(views.of(both), (Permutation{later == one ? 3 | kTexturesVary : later.textures, 0, 0}));
   }
+}
+
+TEST(Permutations, OfSmallClassesAreRightForThoseSeenLater) {
+  const MaterialClass both{3, 0}, one{1 | kTransformedUvs, 0};
+  PermutationPlan plan({}, kAllTextures, {both, one});
+  plan.add({{both, kSmall}});
+  plan.add({{one, kSmall}});
+  EXPECT_EQ(plan.of(one), plan.of(both));
+  EXPECT_EQ(plan.of(both), (Permutation{3 | kTexturesVary | kTransformedUvs, 0, 0}));
+}
+
+TEST(Permutations, OfClassesThatReadOtherwiseAreRightForEach) {
+  const auto plan = planAll({{{3, 0}, kBig + 1}, {{3 | kTransformedUvs, 0}, kBig}});
+  EXPECT_EQ(plan[0], (Permutation{3, 0, 0}));
+  EXPECT_EQ(plan[1], (Permutation{3 | kTransformedUvs, 0, 0}));
+  // Where all scenes share one for the rest, nothing is widened for it.
+  EXPECT_EQ(planAll({{{3, 0}, kBig}, {{1, 0}, kSmall}}, {.own = 2, .shares = true})[0], (Permutation{3, 0, 0}));
 }
 
 TEST(Permutations, TransformUvsWhereAMaterialDoes) {
   const auto plan = planAll({{{1 | kTransformedUvs, 0}, kSmall}, {{1, kFeatureUnlit}, kSmall}});
   EXPECT_EQ(plan[0], (Permutation{1 | kTransformedUvs, kFeatureUnlit, 0}));
   EXPECT_EQ(plan[1], plan[0]);
-  EXPECT_EQ(everyScenePermutation(0).textures, kTransformedUvs | kTexturesVary) << "any scene's materials";
+  EXPECT_EQ(everyScenePermutation(0).textures, kTransformedUvs | kOcclusionApart | kTexturesVary)
+      << "any scene's materials";
 }
 
 TEST(Permutations, SplitOffAClassWhoseSavingPaysForTheCompilation) {
