@@ -115,17 +115,14 @@ private:
       case spv::OpReturnValue:
         isNew |= mark(function, any(0));
         break;
-      case spv::OpStore: {
-        std::uint32_t variable = each.operands[0];
-        isNew |= mark(variable, any(1));
-        for (const SpirvInstruction* chain = m_module.find(variable); chain && isChain(chain->opcode);
-             chain = m_module.find(variable)) {
-          if (!m_module.isBefore(chain->operands[0], *chain)) break;
-          variable = chain->operands[0];
-          isNew |= mark(variable, any(1));
+      case spv::OpStore: // into a variable, or a part of one
+        for (std::uint32_t place = each.operands[0];;) {
+          isNew |= mark(place, any(1));
+          const SpirvInstruction* chain = m_module.find(place);
+          if (!chain || !isChain(chain->opcode) || !m_module.isBefore(chain->operands[0], *chain)) break;
+          place = chain->operands[0];
         }
         break;
-      }
       case spv::OpFunctionCall: {
         const std::vector<std::uint32_t>& parameters = m_parameters[each.operands[0]];
         for (std::size_t i = 0; i < parameters.size() && i + 1 < each.operands.size(); ++i) {
