@@ -1,7 +1,6 @@
 #include "gpu/spirv/spirv_half.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <initializer_list>
 #include <string_view>

@@ -2,11 +2,9 @@
 // bit.
 #include "gpu/spirv/spirv_half.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <random>
-#include <string>
 
 #include "gpu/spirv/spirv_specialize.h"
 #include "gpu_shaders/half.comp.h"
