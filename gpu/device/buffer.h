@@ -32,13 +32,18 @@ public:
   void upload(std::span<const std::byte> bytes, vk::DeviceSize offset = 0) const;
   void download(std::span<std::byte> bytes, vk::DeviceSize offset = 0) const;
   template <typename T> std::vector<T> downloadAs(std::size_t count, vk::DeviceSize offset = 0) const {
-    if (const std::byte* mapped = mappedAt(offset, count * sizeof(T)); mapped && count > 0) { // not cleared first
-      const auto* first = reinterpret_cast<const T*>(mapped);
-      return std::vector<T>(first, first + count);
-    }
+    if (const std::span<const T> mapped = mappedAs<T>(count, offset); !mapped.empty()) // not cleared first
+      return std::vector<T>(mapped.begin(), mapped.end());
     std::vector<T> values(count);
     download(std::as_writable_bytes(std::span{values}), offset);
     return values;
+  }
+
+  // The values where they are, which the host reads as fast as its own; empty where the memory is not mapped.
+  template <typename T> std::span<const T> mappedAs(std::size_t count, vk::DeviceSize offset = 0) const {
+    const std::byte* mapped = mappedAt(offset, count * sizeof(T));
+    if (!mapped) return {};
+    return {reinterpret_cast<const T*>(mapped), count};
   }
 
 private:

@@ -31,7 +31,7 @@ BackdropBuilder::BackdropBuilder(std::uint32_t width, std::uint32_t height, int 
     : m_weight(1.f / static_cast<float>(samples)), m_color(static_cast<int>(width), static_cast<int>(height), 4),
       m_depth(static_cast<int>(width), static_cast<int>(height), 1) {}
 
-void BackdropBuilder::lay(const Surface& surface, const scenes::Camera& camera, const std::vector<glm::vec4>& color) {
+void BackdropBuilder::lay(const Surface& surface, const scenes::Camera& camera, const ShadedPlane& color) {
   if (surface.size() == 0) return;
   const std::vector<glm::uvec4> positions = surface.position.downloadAs<glm::uvec4>(surface.size());
   const glm::vec3 forward = -glm::vec3(camera.toWorld[2]), eye(camera.toWorld[3]);

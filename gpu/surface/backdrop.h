@@ -7,6 +7,7 @@
 
 #include "base/image/image.h"
 #include "gpu/device/image.h"
+#include "gpu/surface/shaded_plane.h"
 #include "gpu/surface/surface.h"
 
 namespace parity::gpu {
@@ -31,7 +32,7 @@ class BackdropBuilder {
 public:
   BackdropBuilder(std::uint32_t width, std::uint32_t height, int samples);
   // color: radiance of the surface's entries, in its order. What is not finite counts as black.
-  void lay(const Surface& surface, const scenes::Camera& camera, const std::vector<glm::vec4>& color);
+  void lay(const Surface& surface, const scenes::Camera& camera, const ShadedPlane& color);
   Backdrop take(const Device& device);
 
 private:

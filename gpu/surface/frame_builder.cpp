@@ -13,7 +13,7 @@ constexpr std::size_t kFrameGrain = 16384;
 
 // plane = value * weight + plane * keep at the pixels of a surface, in the target's numbers where there is one; the
 // plane begins at the tile's first pixel. weightsOf: entry -> (keep, weight).
-void composite(float* plane, std::size_t firstPixel, const Surface& surface, const std::vector<glm::vec4>& values,
+void composite(float* plane, std::size_t firstPixel, const Surface& surface, const PlaneView& values,
                const auto& weightsOf, const TargetCodec* target) {
   base::parallelFor(surface.size(), kFrameGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -29,34 +29,48 @@ void composite(float* plane, std::size_t firstPixel, const Surface& surface, con
   });
 }
 
+std::vector<base::Image> makeTerms(std::uint32_t width, std::uint32_t height, const std::vector<char>& terms) {
+  std::vector<base::Image> images(terms.size());
+  base::parallelFor(terms.size(), 1, [&](std::size_t t, std::size_t) {
+    if (terms[t] != 0) images[t] = base::Image(static_cast<int>(width), static_cast<int>(height), 3);
+  });
+  return images;
+}
+
 } // namespace
+
+FrameBuilder::FrameBuilder(std::uint32_t width, int samples, const glm::vec3& background,
+                           const std::optional<TargetCodec>& target)
+    : m_width(width), m_samples(samples), m_background(target ? target->store(target->write(background)) : background),
+      m_target(target) {}
 
 FrameBuilder::FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, const std::vector<char>& terms,
                            const glm::vec3& background, const std::optional<TargetCodec>& target)
-    : m_samples(samples), m_background(target ? target->store(target->write(background)) : background),
-      m_target(target) {
-  const int w = static_cast<int>(width), h = static_cast<int>(height);
-  m_frame.color = base::Image(w, h, 3);
-  m_frame.terms.resize(terms.size());
-  base::parallelFor(terms.size(), 1, [&](std::size_t t, std::size_t) {
-    if (terms[t] != 0) m_frame.terms[t] = base::Image(w, h, 3);
-  });
+    : FrameBuilder(width, samples, background, target) {
+  m_frame.terms = makeTerms(width, height, terms);
+  m_frame.color = base::Image(static_cast<int>(width), static_cast<int>(height), 3);
+}
+
+FrameBuilder FrameBuilder::ofTerms(std::uint32_t width, std::uint32_t height, int samples,
+                                   const std::vector<char>& terms) {
+  FrameBuilder builder(width, samples, glm::vec3(0), std::nullopt);
+  builder.m_frame.terms = makeTerms(width, height, terms);
+  return builder;
 }
 
 float* FrameBuilder::planeAt(std::size_t plane) {
-  if (m_samples > 1) return m_sample[plane].data();
-  base::Image& image = plane == 0 ? m_frame.color : m_frame.terms[plane - 1];
-  return image.at(0, static_cast<int>(m_tile.firstRow));
+  return m_samples > 1 ? m_sample[plane].data() : imageOf(plane).at(0, static_cast<int>(m_tile.firstRow));
 }
 
 void FrameBuilder::begin(const Tile& tile) {
   m_tile = tile;
-  const std::size_t count = std::size_t{tile.rows} * static_cast<std::size_t>(m_frame.color.width);
+  const std::size_t count = std::size_t{tile.rows} * m_width;
   if (m_samples > 1) {
-    m_sample.resize(1 + m_frame.terms.size());
+    m_sample.resize(planeCount());
     for (std::size_t plane = 0; plane < m_sample.size(); ++plane)
-      if (plane == 0 || isComposed(plane - 1)) m_sample[plane].assign(count * 3, 0.f);
+      if (isComposed(plane)) m_sample[plane].assign(count * 3, 0.f);
   }
+  if (!isComposed(0)) return;
   float* color = planeAt(0);
   for (std::size_t p = 0; p < count; ++p)
     for (int c = 0; c < 3; ++c) color[p * 3 + c] = m_background[c];
@@ -70,17 +84,17 @@ void FrameBuilder::lay(const Surface& surface, const ShadedSurface& shaded) {
     const float opacity = shaded.color[i].w;
     return std::pair(1 - opacity, shaded.premultiplied ? 1.f : opacity);
   };
-  composite(planeAt(0), firstPixel, surface, shaded.color, weightsOf, m_target ? &*m_target : nullptr);
-  for (std::size_t t = 0; t < m_frame.terms.size(); ++t)
-    if (isComposed(t)) composite(planeAt(t + 1), firstPixel, surface, shaded.terms[t], weightsOf, nullptr);
+  for (std::size_t plane = 0; plane < planeCount(); ++plane)
+    if (isComposed(plane))
+      composite(planeAt(plane), firstPixel, surface, plane == 0 ? shaded.color : shaded.terms[plane - 1], weightsOf,
+                plane == 0 && m_target ? &*m_target : nullptr);
 }
 
 void FrameBuilder::end() {
   if (m_samples == 1) return;
   for (std::size_t plane = 0; plane < m_sample.size(); ++plane) {
-    if (plane > 0 && !isComposed(plane - 1)) continue;
-    base::Image& sum = plane == 0 ? m_frame.color : m_frame.terms[plane - 1];
-    float* out = sum.pixels.data() + std::size_t{m_tile.firstRow} * static_cast<std::size_t>(sum.width) * 3;
+    if (!isComposed(plane)) continue;
+    float* out = imageOf(plane).at(0, static_cast<int>(m_tile.firstRow));
     for (const float value : m_sample[plane]) *out++ += value;
   }
 }
@@ -89,10 +103,8 @@ base::Frame FrameBuilder::take() {
   const auto divide = [&](base::Image& image) {
     for (float& value : image.pixels) value /= static_cast<float>(m_samples);
   };
-  if (m_samples > 1) {
-    divide(m_frame.color);
-    for (base::Image& term : m_frame.terms) divide(term);
-  }
+  if (m_samples > 1)
+    for (std::size_t plane = 0; plane < planeCount(); ++plane) divide(imageOf(plane));
   if (m_target)
     base::parallelFor(m_frame.color.pixelCount(), kFrameGrain, [&](std::size_t begin, std::size_t end) {
       for (float* p = m_frame.color.pixels.data() + 3 * begin; p != m_frame.color.pixels.data() + 3 * end; p += 3) {

@@ -18,6 +18,8 @@ public:
   // composed; the images of others stay empty. An empty list: the frame has no terms.
   FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, const std::vector<char>& terms,
                const glm::vec3& background, const std::optional<TargetCodec>& target = std::nullopt);
+  // Of terms alone: the frame's colour stays empty.
+  static FrameBuilder ofTerms(std::uint32_t width, std::uint32_t height, int samples, const std::vector<char>& terms);
 
   // One (tile, sample): begins with the background; then its layers from the back to the front, those of surfaces that
   // are not blended first. The surfaces' pixels lie within the tile.
@@ -28,10 +30,15 @@ public:
   base::Frame take();
 
 private:
-  // Where the tile's colour (0) or one of its terms begins.
+  FrameBuilder(std::uint32_t width, int samples, const glm::vec3& background, const std::optional<TargetCodec>& target);
+  // The colour (0) or one of the terms.
+  base::Image& imageOf(std::size_t plane) { return plane == 0 ? m_frame.color : m_frame.terms[plane - 1]; }
+  std::size_t planeCount() const { return 1 + m_frame.terms.size(); }
+  bool isComposed(std::size_t plane) { return !imageOf(plane).empty(); }
+  // Where the tile's plane begins.
   float* planeAt(std::size_t plane);
-  bool isComposed(std::size_t term) const { return !m_frame.terms[term].empty(); }
 
+  std::uint32_t m_width;
   int m_samples;
   glm::vec3 m_background;
   std::optional<TargetCodec> m_target;

@@ -51,13 +51,13 @@ SwapBuilder::SwapBuilder(const std::vector<std::uint32_t>& materialOf, std::size
   m_wanted.resize(m_materials.size(), m_wanted.empty() ? 1 : 0);
 }
 
-void SwapBuilder::begin(const Tile& tile) {
+void SwapBuilder::begin(const Tile& tile, std::size_t layers) {
   const std::size_t pixels = tile.rows * m_width;
   m_firstPixel = static_cast<std::uint32_t>(tile.firstRow * m_width);
   m_entries.clear();
   m_colors.clear();
   m_head.assign(pixels, kNone);
-  m_base.resize(pixels * m_planes);
+  m_base.resize(m_samples > 1 || layers > 1 ? pixels * m_planes : 0);
   m_isBare.assign(pixels, m_samples == 1 ? 1 : 0);
   if (m_samples == 1) return;
   for (std::size_t i = 0; i < pixels; ++i) std::ranges::copy(m_background, &m_base[i * m_planes]);
@@ -72,6 +72,7 @@ void SwapBuilder::lay(const Surface& surface, const ShadedSurface& reference, co
   const std::size_t first = m_entries.size();
   m_entries.resize(first + surface.size());
   m_colors.resize(m_entries.size() * m_planes);
+  const bool hasBase = !m_base.empty(); // else this is the only layer
   base::parallelFor(surface.size(), kSwapGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t place = surface.pixels[i] - m_firstPixel;
@@ -80,8 +81,8 @@ void SwapBuilder::lay(const Surface& surface, const ShadedSurface& reference, co
       const auto composeTest = [&](std::size_t plane, const glm::vec3& behind) {
         return composeByTarget(glm::vec3(planes[plane].test[i]), behind, ofTest, m_target ? &*m_target : nullptr);
       };
-      glm::vec3* behind = &m_base[place * m_planes];
-      if (m_isBare[place] != 0) {
+      glm::vec3* behind = hasBase ? &m_base[place * m_planes] : m_background.data();
+      if (hasBase && m_isBare[place] != 0) {
         m_isBare[place] = 0;
         std::ranges::copy(m_background, behind);
       }
@@ -101,7 +102,7 @@ void SwapBuilder::lay(const Surface& surface, const ShadedSurface& reference, co
         m_head[place] = static_cast<std::uint32_t>(e);
         for (std::size_t p = 0; p < m_planes; ++p) m_colors[e * m_planes + p] = composeTest(p, behind[p]);
       }
-      for (std::size_t p = 0; p < m_planes; ++p)
+      for (std::size_t p = 0; hasBase && p < m_planes; ++p)
         behind[p] = compose(glm::vec3(planes[p].reference[i]), behind[p], ofReference);
     }
   });
@@ -151,7 +152,12 @@ void SwapBuilder::keepOnlySample() {
 }
 
 void SwapBuilder::end() {
-  if (m_samples == 1) return keepOnlySample();
+  if (m_samples == 1) {
+    keepOnlySample();
+    m_colors = {}; // take() needs as much
+    m_base = {};
+    return;
+  }
   std::vector<Sum> merged;
   std::vector<glm::dvec3> differences;
   std::vector<std::uint32_t> chain;

@@ -24,7 +24,7 @@ struct SwappedPixels {
 // One (reference, test) pair of colours of a surface: what a swapped picture is made of. Entries in the surface's
 // order.
 struct SwapPlane {
-  std::span<const glm::vec4> reference, test;
+  PlaneView reference, test;
 };
 
 // Composes the swapped pictures of all materials at the same time, layer by layer, as FrameBuilder composes frames. For
@@ -42,8 +42,9 @@ public:
               std::vector<glm::vec3> background, const std::optional<TargetCodec>& target = std::nullopt,
               std::vector<char> wanted = {});
 
-  // One (tile, sample), as FrameBuilder takes it; tiles in order of rows, all samples of one before the next.
-  void begin(const Tile& tile);
+  // One (tile, sample), as FrameBuilder takes it; tiles in order of rows, all samples of one before the next. layers:
+  // how many will be laid, at most.
+  void begin(const Tile& tile, std::size_t layers);
   // reference, test: for the opacities, and whether colours are premultiplied. planes: as many as backgrounds.
   void lay(const Surface& surface, const ShadedSurface& reference, const ShadedSurface& test,
            std::span<const SwapPlane> planes);
@@ -96,7 +97,7 @@ private:
   std::vector<std::uint32_t> m_head; // the first entry of each pixel
   std::vector<Entry> m_entries;
   base::RawVector<glm::vec3> m_colors; // of the entries: their swapped pictures, plane by plane
-  base::RawVector<glm::vec3> m_base;   // of the pixels: the base pictures, plane by plane
+  base::RawVector<glm::vec3> m_base;   // of the pixels: the base pictures, plane by plane; empty where none is read
   std::vector<char> m_isBare;          // of the pixels, where there is one sample: m_base is not set yet
   // Of the tile, where there are several samples: sums over them.
   std::vector<glm::vec3> m_baseSums; // as FrameBuilder adds them up

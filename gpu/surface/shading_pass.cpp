@@ -4,9 +4,10 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
+#include <span>
 
-#include "base/parallel.h"
 #include "shading/shading.h"
 #include "shading/terms.h"
 
@@ -293,6 +294,14 @@ struct ShadingPass::Impl {
   ShadedSurface shade(const Surface& surface, const scenes::Camera& camera, bool runs);
 };
 
+// The plane at this place of a buffer, of n values: in place where the host can read the device's memory.
+ShadedPlane planeOf(const std::shared_ptr<const Buffer>& buffer, std::size_t n, std::size_t place) {
+  const vk::DeviceSize offset = place * n * sizeof(glm::vec4);
+  if (const std::span<const glm::vec4> values = buffer->mappedAs<glm::vec4>(n, offset); !values.empty())
+    return {buffer, values};
+  return buffer->downloadAs<glm::vec4>(n, offset);
+}
+
 ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Camera& camera, bool runs) {
   ShadedSurface result;
   result.premultiplied = program.premultiplied;
@@ -311,12 +320,12 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
                                                    : shading::kBaseTermCount;
   const std::size_t inA = std::min<std::size_t>(written, kTermsInA);
   const vk::DeviceSize plane = n * sizeof(glm::vec4);
-  const Buffer color(device, program.leftOut == 0 ? plane : 0), termsA(device, inA * plane),
-      termsB(device, (written - inA) * plane);
+  const auto makePlanes = [&](std::size_t count) { return std::make_shared<const Buffer>(device, count * plane); };
+  const auto color = makePlanes(program.leftOut == 0 ? 1 : 0), termsA = makePlanes(inA), termsB = makePlanes(written - inA);
   const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
   if (!backdrop && !nothingBehind) nothingBehind = makeNothingBehind(device, surface.width, surface.height);
   const std::vector<Binding> bindings =
-      surfaceBindings(surface, program.listLights ? lists : pathData, color, termsA, termsB);
+      surfaceBindings(surface, program.listLights ? lists : pathData, *color, *termsA, *termsB);
   if (!*surfaceLayout) {
     surfaceLayout = makeSetLayout(device, bindings, kCompute);
     layout = makePipelineLayout(device, std::array{*surfaceLayout, *textureLayout}, sizeof(Push), kCompute);
@@ -344,18 +353,13 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
     fullBarrier(commands);
   });
   if (!runs) return {};
-  if (program.leftOut == 0) result.color = color.downloadAs<glm::vec4>(n);
+  if (program.leftOut == 0) result.color = planeOf(color, n, 0);
   // Shaders of every scene write more than this scene has: zeros.
   const std::uint32_t terms = program.leftOut != 0 ? ~0u : program.terms ? termsToWrite(false) : 0;
-  const auto download = [&](std::size_t t) {
-    result.terms[t] = t >= written || (terms >> t & 1u) == 0 ? std::vector<glm::vec4>(n)
-                      : t < kTermsInA                        ? termsA.downloadAs<glm::vec4>(n, t * plane)
-                                                             : termsB.downloadAs<glm::vec4>(n, (t - kTermsInA) * plane);
-  };
-  if (device.unifiedMemory()) // most of the time goes to new pages of the host's memory
-    base::parallelFor(result.terms.size(), 1, [&](std::size_t t, std::size_t) { download(t); });
-  else
-    for (std::size_t t = 0; t < result.terms.size(); ++t) download(t);
+  for (std::size_t t = 0; t < result.terms.size(); ++t)
+    result.terms[t] = t >= written || (terms >> t & 1u) == 0 ? ShadedPlane::zeros(n)
+                      : t < kTermsInA                        ? planeOf(termsA, n, t)
+                                                             : planeOf(termsB, n, t - kTermsInA);
   return result;
 }
 

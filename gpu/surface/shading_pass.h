@@ -14,6 +14,7 @@
 #include "gpu/surface/backdrop.h"
 #include "gpu/surface/baked_maps.h"
 #include "gpu/surface/permutations.h"
+#include "gpu/surface/shaded_plane.h"
 #include "gpu/surface/surface_pass.h"
 #include "shading/terms.h"
 
@@ -83,9 +84,9 @@ struct PathProgram {
 
 // Per entry of a surface, in its order.
 struct ShadedSurface {
-  std::vector<glm::vec4> color;              // radiance, opacity; empty where lights are left out
-  std::vector<std::vector<glm::vec4>> terms; // SceneBuffers::termCount() planes, or none; or pictures, as `color`
-  bool premultiplied = false;                // radiance and terms are times the opacity already
+  ShadedPlane color;              // radiance, opacity; empty where lights are left out
+  std::vector<ShadedPlane> terms; // SceneBuffers::termCount() planes, or none; or pictures, as `color`
+  bool premultiplied = false;     // radiance and terms are times the opacity already
 };
 
 // A permutation that was needed, and for how much.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 #include "base/hash.h"
@@ -189,19 +190,21 @@ ReferenceSurface ReferencePath::shade(const gpu::Surface& surface, const scenes:
       points[i] = reference::seenThrough(reference::fogBetween(*fog, camera, materials[i].position), points[i]);
 
   ReferenceSurface result;
-  if (m_settings.terms) result.shaded.terms.assign(m_termCount, {});
-  for (auto& plane : result.shaded.terms) plane.reserve(points.size());
+  std::vector<glm::vec4> colors;
+  std::vector<std::vector<glm::vec4>> terms(m_settings.terms ? m_termCount : 0);
+  for (auto& plane : terms) plane.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     glm::vec3 color(0);
     for (const glm::vec3& term : points[i].terms) color += term;
-    result.shaded.color.emplace_back(color, materials[i].opacity);
-    for (std::size_t t = 0; t < result.shaded.terms.size(); ++t)
-      result.shaded.terms[t].emplace_back(points[i].terms[t], 0.f);
+    colors.emplace_back(color, materials[i].opacity);
+    for (std::size_t t = 0; t < terms.size(); ++t) terms[t].emplace_back(points[i].terms[t], 0.f);
     result.standardErrors.push_back(points[i].standardError);
     result.samples.push_back(points[i].samples);
     result.sampledPoints += points[i].samples > 0;
     result.lightSamples += points[i].samples;
   }
+  result.shaded.color = std::move(colors);
+  std::ranges::move(terms, std::back_inserter(result.shaded.terms));
   return result;
 }
 

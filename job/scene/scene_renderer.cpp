@@ -174,7 +174,7 @@ ViewFrames SceneRenderer::render(const scenes::Camera& camera, const Progress& p
       const bool keeps =
           parts == 1 && (m_mayAddTerms || m_mayDropLights || m_mayDropLobes) && visible.size() <= kMaxKeptEntries;
       const std::size_t layerCount = visible.layers.size();
-      view.begin(tile);
+      view.begin(tile, layerCount);
       // From the back to the front, as hardware blends; one layer's surface at a time.
       for (std::size_t k = 0; k < layerCount; ++k) {
         gpu::Surface surface = resolve(visible, k, camera);

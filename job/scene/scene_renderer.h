@@ -106,7 +106,7 @@ private:
   };
   // What pictures are composed of once more.
   struct Composition {
-    std::function<void(const gpu::Tile&)> begin;
+    std::function<void(const gpu::Tile&, std::size_t layers)> begin;
     std::function<void(const KeptLayer&)> lay; // shades it into the pictures
     std::function<void()> end;
   };
@@ -114,7 +114,7 @@ private:
   void layAgain(const scenes::Camera& camera, Work& work, const Composition& composition);
   // Whether shading so many lights once for all pictures saves more than compiling the shaders for it takes.
   bool paysAtOnce(std::size_t lights) const;
-  gpu::FrameBuilder makeFrame(const std::vector<char>& terms) const; // as FrameBuilder takes them
+  gpu::FrameBuilder makeFrame() const; // without terms
   void countSurface(const gpu::Surface& surface, Work& work) const;
 
   Context& m_context;

@@ -29,7 +29,11 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
   if (areKept)
     for (const KeptLayer& layer : m_kept) markUsedTerms(layer.shaded.front(), layer.shaded[path], used);
   const std::vector<std::size_t> terms = placesOf(used);
-  gpu::FrameBuilder firstFrame = makeFrame(used), otherFrame = makeFrame(used);
+  const auto makeTerms = [&] {
+    return gpu::FrameBuilder::ofTerms(static_cast<std::uint32_t>(settings.width),
+                                      static_cast<std::uint32_t>(settings.height), settings.samples, used);
+  };
+  gpu::FrameBuilder firstTerms = makeTerms(), otherTerms = makeTerms();
   std::vector<char> wanted(m_prepared.scene.materials.size(), 0);
   for (const std::size_t material : materials) wanted[material] = 1;
   gpu::SwapBuilder variants(m_scene.buffers().materialOfInstance(), m_prepared.scene.materials.size(),
@@ -37,8 +41,8 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
                             std::vector<glm::vec3>(1 + terms.size(), settings.background), std::nullopt,
                             std::move(wanted));
   const auto compose = [&](const gpu::Surface& surface, const gpu::ShadedSurface& a, const gpu::ShadedSurface& b) {
-    firstFrame.lay(surface, a);
-    otherFrame.lay(surface, b);
+    firstTerms.lay(surface, a);
+    otherTerms.lay(surface, b);
     variants.lay(surface, a, b, TermVariants(surface, a, b, terms, variants).planes());
   };
   const auto lay = [&](const KeptLayer& layer) {
@@ -49,10 +53,12 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
     compose(layer.surface, a, b);
   };
   layAgain(camera, m_again,
-           {[&](const gpu::Tile& tile) { firstFrame.begin(tile), otherFrame.begin(tile), variants.begin(tile); }, lay,
-            [&] { firstFrame.end(), otherFrame.end(), variants.end(); }});
-  frames.paths.front().frame.terms = firstFrame.take().terms;
-  frames.paths[path].frame.terms = otherFrame.take().terms;
+           {[&](const gpu::Tile& tile, std::size_t layers) {
+              firstTerms.begin(tile), otherTerms.begin(tile), variants.begin(tile, layers);
+            },
+            lay, [&] { firstTerms.end(), otherTerms.end(), variants.end(); }});
+  frames.paths.front().frame.terms = firstTerms.take().terms;
+  frames.paths[path].frame.terms = otherTerms.take().terms;
   frames.paths[path].termVariants = variants.take(frames.coverage, {});
   frames.paths[path].variantTerms = terms;
 }
@@ -91,7 +97,7 @@ void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const sce
     const std::size_t count = std::min(most, lights.size() - begin);
     renderer->leaveOut(lights.subspan(begin, count));
     std::vector<gpu::FrameBuilder> frames;
-    for (std::size_t k = 0; k < count; ++k) frames.push_back(makeFrame({}));
+    for (std::size_t k = 0; k < count; ++k) frames.push_back(makeFrame());
     const auto lay = [&](const KeptLayer& layer) {
       const base::Stopwatch watch(&m_context.timings(), "shade without a light");
       gpu::ShadedSurface shaded = renderer->shade(layer.surface, camera);
@@ -101,7 +107,9 @@ void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const sce
       }
     };
     layAgain(camera, m_work,
-             {[&](const gpu::Tile& tile) { std::ranges::for_each(frames, [&](auto& frame) { frame.begin(tile); }); },
+             {[&](const gpu::Tile& tile, std::size_t) {
+                std::ranges::for_each(frames, [&](auto& frame) { frame.begin(tile); });
+              },
               lay, [&] { std::ranges::for_each(frames, [](auto& frame) { frame.end(); }); }});
     m_work.lightPictures += count;
     for (std::size_t k = 0; k < count; ++k) take(begin + k, frames[k].take().color);
@@ -116,20 +124,21 @@ base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scen
         *first.path, {.hiddenFeatures = features, .plan = first.plain->pass().plan(), .planWritesTerms = m_shadesTerms},
         m_views);
   first.giveBackdrop(*without);
-  gpu::FrameBuilder frame = makeFrame({});
+  gpu::FrameBuilder frame = makeFrame();
   const auto lay = [&](const KeptLayer& layer) {
     const base::Stopwatch watch(&m_context.timings(), "shade without a lobe");
     frame.lay(layer.surface, without->shade(layer.surface, camera));
   };
-  layAgain(camera, m_work, {[&](const gpu::Tile& tile) { frame.begin(tile); }, lay, [&] { frame.end(); }});
+  layAgain(camera, m_work,
+           {[&](const gpu::Tile& tile, std::size_t) { frame.begin(tile); }, lay, [&] { frame.end(); }});
   ++m_work.lobePictures;
   return frame.take().color;
 }
 
-gpu::FrameBuilder SceneRenderer::makeFrame(const std::vector<char>& terms) const {
+gpu::FrameBuilder SceneRenderer::makeFrame() const {
   const Settings& settings = m_settings;
   return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height), settings.samples,
-          terms, settings.background};
+          {}, settings.background};
 }
 
 void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Composition& composition) {
@@ -138,11 +147,12 @@ void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Com
        gpu::makeTiles(static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)))
     for (const glm::vec2& sample : gpu::samplePositions(settings.samples, settings.filterWidth)) {
       m_context.requireGoesOn();
-      composition.begin(tile);
       if (!m_kept.empty()) {
+        composition.begin(tile, m_kept.size());
         for (const KeptLayer& layer : m_kept) composition.lay(layer);
       } else {
         const gpu::VisibleLayers visible = rasterise(camera, tile, sample);
+        composition.begin(tile, visible.layers.size());
         for (std::size_t k = 0; k < visible.layers.size(); ++k) {
           const KeptLayer layer{resolve(visible, k, camera), {}};
           countSurface(layer.surface, work);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include "base/parallel.h"
 
@@ -46,19 +47,19 @@ TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface
 
 std::vector<gpu::SwapPlane> TermVariants::planes() const {
   std::vector<gpu::SwapPlane> planes = {{m_reference.color, m_test.color}};
-  for (const base::RawVector<glm::vec4>& colors : m_colors) planes.push_back({m_reference.color, colors});
+  for (const base::RawVector<glm::vec4>& colors : m_colors) planes.push_back({m_reference.color, gpu::PlaneView(colors)});
   return planes;
 }
 
 void markUsedTerms(const gpu::ShadedSurface& reference, const gpu::ShadedSurface& test, std::vector<char>& used) {
-  const auto isFinite = [](const glm::vec4& c) {
+  const auto isFinite = [&](std::size_t i) {
+    const glm::vec4& c = test.color[i];
     return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
   };
-  if (!std::ranges::all_of(test.color, isFinite)) std::ranges::fill(used, 1);
-  const auto isZero = [](const glm::vec4& c) { return c.x == 0 && c.y == 0 && c.z == 0; };
+  if (!std::ranges::all_of(std::views::iota(std::size_t{0}, test.color.size()), isFinite)) std::ranges::fill(used, 1);
   base::parallelFor(used.size(), 1, [&](std::size_t t, std::size_t) {
     if (used[t] == 0)
-      used[t] = std::ranges::all_of(reference.terms[t], isZero) && std::ranges::all_of(test.terms[t], isZero) ? 0 : 1;
+      used[t] = reference.terms[t].isBlack() && test.terms[t].isBlack() ? 0 : 1;
   });
 }
 

@@ -71,9 +71,9 @@ template <typename Do> void ViewBuilder::forEachFrame(const Do& act) {
   if (m_truth) act(*m_truth);
 }
 
-void ViewBuilder::begin(const gpu::Tile& tile) {
+void ViewBuilder::begin(const gpu::Tile& tile, std::size_t layers) {
   forEachFrame([&](gpu::FrameBuilder& frame) { frame.begin(tile); });
-  forEachSwap([&](gpu::SwapBuilder& swap) { swap.begin(tile); });
+  forEachSwap([&](gpu::SwapBuilder& swap) { swap.begin(tile, layers); });
   if (m_error) m_error->begin(tile);
   if (m_coverage) m_coverage->begin(tile);
 }

@@ -32,7 +32,7 @@ public:
 
   // One (tile, sample), its layers from the back to the front, each by every path; tiles in order of rows, all samples
   // of one before the next.
-  void begin(const gpu::Tile& tile);
+  void begin(const gpu::Tile& tile, std::size_t layers);
   // paths: one for each plan. truth: null where there is none.
   void lay(const gpu::Surface& surface, const std::vector<ShadedByPath>& paths, const ReferenceSurface* truth);
   void end();

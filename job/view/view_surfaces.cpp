@@ -79,7 +79,7 @@ std::vector<gpu::SwappedPixels> ViewSurfaces::swap(const std::vector<Shaded>& fi
                            static_cast<std::uint32_t>(m_settings.width), m_settings.samples, {m_settings.background},
                            target);
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
-    builder.begin(m_parts[i].tile);
+    builder.begin(m_parts[i].tile, m_parts[i].layers.size());
     for (std::size_t k = 0; k < first[i].size(); ++k)
       builder.lay(m_parts[i].layers[k], first[i][k], second[i][k],
                   std::array{gpu::SwapPlane{first[i][k].color, second[i][k].color}});

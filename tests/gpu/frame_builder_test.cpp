@@ -70,6 +70,20 @@ TEST(FrameBuilder, ComposesTheTermsThatAreAskedFor) {
   }
 }
 
+TEST(FrameBuilder, OfTermsLeavesTheColourOut) {
+  for (const int samples : {1, 2}) {
+    const ShadedLayer below{makeSurface({1}), {{glm::vec4(1)}, {{glm::vec4(3)}, {glm::vec4(5)}}}},
+        above{makeSurface({1}, true), {{glm::vec4(0.25f)}, {ShadedPlane::zeros(1), {glm::vec4(9)}}}};
+    FrameBuilder whole(2, 1, samples, {0, 1}, glm::vec3(7)), terms = FrameBuilder::ofTerms(2, 1, samples, {0, 1});
+    for (int sample = 0; sample < samples; ++sample)
+      for (FrameBuilder* builder : {&whole, &terms}) add(*builder, below, above);
+    const base::Frame expected = whole.take(), found = terms.take();
+    EXPECT_TRUE(found.color.empty());
+    EXPECT_EQ(found.terms, expected.terms);
+    EXPECT_EQ(found.terms[1].pixels, (std::vector<float>{0, 0, 0, 6, 6, 6}));
+  }
+}
+
 TEST(FrameBuilder, AveragesSamplesInLinearLight) {
   FrameBuilder builder(2, 1, 2, {}, glm::vec3(0));
   add(builder, ShadedLayer{makeSurface({0}), {{glm::vec4(1, 1, 1, 1)}, {}}});
@@ -80,10 +94,10 @@ TEST(FrameBuilder, AveragesSamplesInLinearLight) {
 TEST(FrameBuilder, LaysTheBlendedLayerOverColourAndTermsAlike) {
   FrameBuilder builder(2, 1, 1, std::vector<char>(shading::kBaseTermCount, 1), glm::vec3(1));
   ShadedSurface below{{glm::vec4(4, 4, 4, 1)},
-                      std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(0)})};
-  below.terms[0][0] = glm::vec4(4, 4, 4, 0);
+                      std::vector<ShadedPlane>(shading::kTermCount, ShadedPlane::zeros(1))};
+  below.terms[0] = {glm::vec4(4, 4, 4, 0)};
   ShadedSurface above{{glm::vec4(8, 8, 8, 0.25f), glm::vec4(8, 8, 8, 0.5f)},
-                      std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(0), glm::vec4(0)})};
+                      std::vector<ShadedPlane>(shading::kTermCount, {glm::vec4(0), glm::vec4(0)})};
   above.terms[7] = {glm::vec4(8, 8, 8, 0), glm::vec4(8, 8, 8, 0)};
   add(builder, ShadedLayer{makeSurface({0}), below}, ShadedLayer{makeSurface({0, 1}, true), above});
   const base::Frame frame = builder.take();
@@ -97,7 +111,7 @@ TEST(FrameBuilder, LaysTheBlendedLayerOverColourAndTermsAlike) {
 TEST(FrameBuilder, AddsPremultipliedColourAndTermsAsTheyAre) {
   FrameBuilder builder(2, 1, 1, std::vector<char>(shading::kBaseTermCount, 1), glm::vec3(1));
   const auto terms = [](float value) {
-    return std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(value)});
+    return std::vector<ShadedPlane>(shading::kTermCount, {glm::vec4(value)});
   };
   const ShadedSurface below{{glm::vec4(4, 4, 4, 1)}, terms(4)}, above{{glm::vec4(2, 2, 2, 0.25f)}, terms(2), true};
   add(builder, ShadedLayer{makeSurface({0}), below}, ShadedLayer{makeSurface({0}, true), above});
@@ -159,8 +173,8 @@ TEST(FrameBuilder, ATargetLeavesTermsAndNonFinitePixelsAlone) {
   FrameBuilder builder(2, 1, 1, std::vector<char>(shading::kBaseTermCount, 1), glm::vec3(0),
                        TargetCodec(OutputTarget::rgba8Gamma2, 0));
   ShadedSurface shaded{{glm::vec4(kNan, 1, 1, 1), glm::vec4(0.3f, 0.3f, 0.3f, 1)},
-                       std::vector<std::vector<glm::vec4>>(shading::kTermCount, {glm::vec4(0), glm::vec4(0)})};
-  shaded.terms[2][1] = glm::vec4(0.3f);
+                       std::vector<ShadedPlane>(shading::kTermCount, ShadedPlane::zeros(2))};
+  shaded.terms[2] = {glm::vec4(0), glm::vec4(0.3f)};
   add(builder, ShadedLayer{makeSurface({0, 1}), shaded});
   const base::Frame frame = builder.take();
   EXPECT_TRUE(std::isnan(frame.color.pixels[0]));

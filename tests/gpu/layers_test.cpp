@@ -99,9 +99,9 @@ protected:
       rendered.cutPixels += visible.cutPixels.size();
       for (std::size_t k = 0; k < visible.layers.size(); ++k) {
         const Surface surface = pass.resolve(visible, k, camera);
-        ShadedSurface shaded;
-        for (const ResolvedMaterial& m : materials.resolve(surface, camera))
-          shaded.color.emplace_back(m.baseColor, m.opacity);
+        std::vector<glm::vec4> colors;
+        for (const ResolvedMaterial& m : materials.resolve(surface, camera)) colors.emplace_back(m.baseColor, m.opacity);
+        const ShadedSurface shaded{std::move(colors), {}};
         frame.lay(surface, shaded);
         coverage.lay(surface, shaded);
         rendered.layerSizes.push_back(surface.size());

@@ -1,7 +1,10 @@
 // The material swap against frames composed by hand: only the one material's entries carry the other path's colours.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <random>
@@ -32,12 +35,15 @@ Layer makeLayer(const std::vector<Entry>& entries, bool blended = false, bool pr
   layer.surface->width = kWidth;
   layer.surface->height = 1;
   layer.test.premultiplied = premultiplied;
+  std::vector<glm::vec4> reference, test;
   for (const Entry& e : entries) {
     layer.surface->pixels.push_back(e.pixel);
     layer.surface->instances.push_back(e.instance);
-    layer.reference.color.emplace_back(glm::vec3(e.reference), e.opacity);
-    layer.test.color.emplace_back(glm::vec3(premultiplied ? e.test * e.opacity : e.test), e.opacity);
+    reference.emplace_back(glm::vec3(e.reference), e.opacity);
+    test.emplace_back(glm::vec3(premultiplied ? e.test * e.opacity : e.test), e.opacity);
   }
+  layer.reference.color = std::move(reference);
+  layer.test.color = std::move(test);
   return layer;
 }
 
@@ -80,7 +86,7 @@ Composed compose(const std::vector<Sample>& samples, float background = 0.25f,
       test(kWidth, 1, count, {}, glm::vec3(background), target);
   SwapBuilder swap(kMaterialOf, 3, kWidth, count, {glm::vec3(background)}, target, std::move(wanted));
   for (const Sample& sample : samples) {
-    reference.begin({0, 1}), test.begin({0, 1}), swap.begin({0, 1});
+    reference.begin({0, 1}), test.begin({0, 1}), swap.begin({0, 1}, sample.size());
     for (const Layer& layer : sample) {
       reference.lay(*layer.surface, layer.reference);
       test.lay(*layer.surface, layer.test);
@@ -141,7 +147,7 @@ TEST(MaterialSwap, SeveralLayersOfOneMaterialAreSwappedTogether) {
 
 TEST(MaterialSwap, OpacitiesThatDifferAreTheTestPathsOwn) {
   Layer pane = makeLayer({{0, 1, 1, 1, 0.5f}}, true);
-  pane.test.color[0].w = 0.75f; // its textures are compressed
+  pane.test.color = {glm::vec4(1, 1, 1, 0.75f)}; // its textures are compressed
   const Composed found = compose({{makeLayer({{0, 0, 0.2f, 0.2f}}), pane}});
   EXPECT_FLOAT_EQ(valueOf(found, 1, 0), 0.25f * 0.2f + 0.75f * 1);
   EXPECT_FLOAT_EQ(valueOf(found, 0, 0), found.reference.pixels[0]);
@@ -249,7 +255,7 @@ TEST(MaterialSwap, TilesFollowEachOther) {
         const Layer below = row == 0 ? makeLayer({{1, 0, 0.1f, 0.2f}, {3, 1, 0.3f, 0.4f}})
                                      : makeLayer({{4, 0, 0.5f, 0.6f}, {6, 1, 0.7f, 0.8f}});
         const Layer above = row == 0 ? makeLayer({}, true) : makeLayer({{5, 2, 1, 2, 0.5f}, {6, 2, 1, 2, 0.5f}}, true);
-        swap.begin({row, 1});
+        swap.begin({row, 1}, 2);
         for (const Layer* layer : {&below, &above}) {
           const SwapPlane plane{layer->reference.color, layer->test.color};
           swap.lay(*layer->surface, layer->reference, layer->test, {&plane, 1});
@@ -267,12 +273,41 @@ TEST(MaterialSwap, TilesFollowEachOther) {
   }
 }
 
+// Behind the only layer of a sample is the background; nothing else is kept to lie behind another.
+TEST(MaterialSwap, TheOnlyLayerIsComposedAsIfOthersCame) {
+  for (const bool blended : {false, true})
+    for (const int samples : {1, 2}) {
+      const Layer layer = makeLayer({{0, 0, 0.3f, 0.7f, 0.0625f}, {2, 1, 0.2f, kNan, 0}, {3, 0, 0, 5, 1}}, blended);
+      const auto swapped = [&](std::size_t layers) {
+        SwapBuilder swap(kMaterialOf, 3, kWidth, samples, {glm::vec3(0.25f), glm::vec3(1)});
+        const SwapPlane plane{layer.reference.color, layer.test.color}, planes[] = {plane, plane};
+        for (int sample = 0; sample < samples; ++sample) {
+          swap.begin({0, 1}, layers);
+          swap.lay(*layer.surface, layer.reference, layer.test, planes);
+          swap.end();
+        }
+        return swap.take({{"a", {0, 3}, {}}, {"b", {2}, {}}, {"c", {}, {}}}, {});
+      };
+      const std::vector<SwappedPixels> alone = swapped(1), expected = swapped(2);
+      for (std::size_t m = 0; m < 2; ++m) {
+        EXPECT_EQ(alone[m].whole, expected[m].whole);
+        ASSERT_EQ(alone[m].planes.size(), 2u);
+        for (std::size_t p = 0; p < 2; ++p)
+          EXPECT_TRUE(std::ranges::equal(alone[m].planes[p].pixels, expected[m].planes[p].pixels, [](float a, float b) {
+            return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+          })) << m << p << blended << samples;
+      }
+      const float over = blended ? 0.0625f : 1;
+      EXPECT_FLOAT_EQ(alone[0].planes[0].pixels[0], (1 - over) * 0.25f + over * 0.7f);
+    }
+}
+
 TEST(MaterialSwap, PlanesAreComposedSideBySide) {
   const Layer layer = makeLayer({{2, 0, 0.5f, 0.7f}});
   const std::vector<glm::vec4> black = {glm::vec4(0, 0, 0, 1)}, bright = {glm::vec4(9, 9, 9, 1)};
   SwapBuilder swap(kMaterialOf, 3, kWidth, 1, {glm::vec3(0.25f), glm::vec3(0)});
-  swap.begin({0, 1});
-  const SwapPlane planes[] = {{layer.reference.color, layer.test.color}, {black, bright}};
+  swap.begin({0, 1}, 1);
+  const SwapPlane planes[] = {{layer.reference.color, layer.test.color}, {PlaneView(black), PlaneView(bright)}};
   swap.lay(*layer.surface, layer.reference, layer.test, planes);
   swap.end();
   const std::vector<base::PixelList> coverage = {{"a", {2}, {}}, {"b", {}, {}}, {"c", {}, {}}};

@@ -10,6 +10,7 @@
 
 #include "base/temp_folder.h"
 #include "highend/highend_quad.h"
+#include "support/shaded_values.h"
 
 namespace parity::highend {
 namespace {
@@ -162,9 +163,9 @@ TEST_F(CompileTest, LobesAreHiddenByShadersThatAreThere) {
                   .hiddenFeatures = hidden};
     inputs.compilation = {.budget = {}, .store = &pipelines(), .plan = plain.plan, .planWritesTerms = hidden != 0};
     const Renderer renderer(device(), view.buffers, view.pass.binKinds(), inputs, {});
-    gpu::ShadedSurface shaded = renderer.shade(view.surface, view.camera);
+    const gpu::ShadedSurface shaded = renderer.shade(view.surface, view.camera);
     EXPECT_EQ(shaded.terms.empty(), !terms);
-    return Shaded{std::move(shaded.color), renderer.pass().plan(), pipelines().keys().size()};
+    return Shaded{tests::valuesOf(shaded.color), renderer.pass().plan(), pipelines().keys().size()};
   };
   const QuadView view(device(), scene);
   ASSERT_EQ(view.surface.bins.size(), 2u) << "both are seen";
@@ -202,7 +203,7 @@ TEST_F(CompileTest, ShadersWriteTheTermsThatTheSceneMayHave) {
     ASSERT_EQ(shaded.terms.size(), shading::kBaseTermCount);
     for (std::size_t i = 0; i < quad.surface.size(); ++i) { // a term that is missing would be missing in the sum
       glm::vec4 sum(0);
-      for (const std::vector<glm::vec4>& term : shaded.terms) sum += term.at(i);
+      for (const gpu::ShadedPlane& term : shaded.terms) sum += term[i];
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], shaded.color[i][c], 1e-6f) << i;
     }
   };

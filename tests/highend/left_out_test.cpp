@@ -68,7 +68,7 @@ std::vector<scenes::Light> makeLightsAbout(std::size_t count) {
 
 class LeftOutTest : public tests::DeviceTest {};
 
-void expectSamePicture(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b, const std::string& what) {
+void expectSamePicture(const gpu::ShadedPlane& a, const gpu::ShadedPlane& b, const std::string& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
   double worst = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -77,7 +77,7 @@ void expectSamePicture(const std::vector<glm::vec4>& a, const std::vector<glm::v
   EXPECT_LT(worst, 2e-6) << what; // another shader may be rounded otherwise
 }
 
-double largestDifference(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+double largestDifference(const gpu::ShadedPlane& a, const gpu::ShadedPlane& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(double{a[i][c]} - double{b[i][c]}));
@@ -123,13 +123,13 @@ TEST_F(LeftOutTest, EachPictureLacksItsLightAndNothingElse) {
           plain.leaveOut(light);
           return plain.shade(surface, balls.camera).color;
         };
-        const std::vector<glm::vec4> whole = pictureOf({});
+        const gpu::ShadedPlane whole = pictureOf({});
         many.leaveOut(out);
         const gpu::ShadedSurface shaded = many.shade(surface, balls.camera);
         EXPECT_TRUE(shaded.color.empty());
         ASSERT_EQ(shaded.terms.size(), out.size());
         for (std::size_t k = 0; k < out.size(); ++k) {
-          const std::vector<glm::vec4> wanted = pictureOf(std::span(out).subspan(k, 1));
+          const gpu::ShadedPlane wanted = pictureOf(std::span(out).subspan(k, 1));
           most[k] = std::max(most[k], largestDifference(wanted, whole));
           expectSamePicture(shaded.terms[k], wanted, std::to_string(out[k]));
         }

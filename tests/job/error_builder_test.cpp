@@ -21,7 +21,7 @@ ReferenceSurface shadedBy(const std::vector<float>& errors, float opacity) {
   ReferenceSurface shaded;
   shaded.standardErrors = errors;
   shaded.samples.assign(errors.size(), 16);
-  shaded.shaded.color.assign(errors.size(), glm::vec4(1, 1, 1, opacity));
+  shaded.shaded.color = std::vector(errors.size(), glm::vec4(1, 1, 1, opacity));
   return shaded;
 }
 

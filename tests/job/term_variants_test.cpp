@@ -18,10 +18,10 @@ const std::vector<std::size_t> kAll = placesOf(std::vector<char>(kTermCount, 1))
 gpu::ShadedSurface makeShaded(const std::vector<float>& terms, float opacity = 1, bool premultiplied = false) {
   gpu::ShadedSurface shaded;
   shaded.premultiplied = premultiplied;
-  shaded.terms.assign(kTermCount, {glm::vec4(0)});
+  shaded.terms.assign(kTermCount, gpu::ShadedPlane::zeros(1));
   float sum = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {
-    shaded.terms[t][0] = glm::vec4(glm::vec3(terms[t]), 0);
+    shaded.terms[t] = {glm::vec4(glm::vec3(terms[t]), 0)};
     sum += terms[t];
   }
   shaded.color = {glm::vec4(glm::vec3(sum), opacity)};
@@ -106,14 +106,14 @@ TEST(UsedTerms, AreNotZeroInEitherPath) {
   EXPECT_TRUE(usedTerms(makeShaded({}), makeShaded({})).empty());
   EXPECT_EQ(usedTerms(makeShaded({kNan}), makeShaded({})), (std::vector<std::size_t>{0}));
   gpu::ShadedSurface blue = makeShaded({});
-  blue.terms[7][0].z = -1;
+  blue.terms[7] = {glm::vec4(0, 0, -1, 0)};
   EXPECT_EQ(usedTerms(blue, makeShaded({})), (std::vector<std::size_t>{7}));
 }
 
 // Exchanging a term for one that is 0, too, mends a colour that overflowed in a sum.
 TEST(UsedTerms, AreAllWhereTheTestsColorIsNotFinite) {
   gpu::ShadedSurface mobile = makeShaded({0, 0.5f});
-  mobile.color[0].y = std::numeric_limits<float>::infinity();
+  mobile.color = {glm::vec4(0.5f, std::numeric_limits<float>::infinity(), 0.5f, 1)};
   EXPECT_EQ(usedTerms(makeShaded({}), mobile), kAll);
 }
 

@@ -82,7 +82,7 @@ TEST_F(OwnPresetTest, ABuiltInPresetAsAFolderIsTheSameToTheLastBitAndCostsTheSam
     const Renderer plain(device(), buffers, pass.binKinds(), inputs, builtIn(name, precision));
     ASSERT_NE(own.pass().spirv().data(), plain.pass().spirv().data());
     for (const gpu::Surface& layer : layers) {
-      const std::vector<glm::vec4> a = plain.shade(layer, camera).color, b = own.shade(layer, camera).color;
+      const gpu::ShadedPlane a = plain.shade(layer, camera).color, b = own.shade(layer, camera).color;
       ASSERT_EQ(a.size(), b.size());
       for (std::size_t i = 0; i < a.size(); ++i)
         for (int c = 0; c < 4; ++c)

@@ -68,7 +68,7 @@ TEST_F(MobileWideTest, ShowsWhatTheSpecialisedProgramShowsWhateverTheKnobs) {
       inputs.compilation = {{.own = 1}, &store};
       const Renderer wide(device(), buffers, pass.binKinds(), inputs, options);
       for (const gpu::Surface& layer : layers) {
-        const std::vector<glm::vec4> a = specialised.shade(layer, camera).color, b = wide.shade(layer, camera).color;
+        const gpu::ShadedPlane a = specialised.shade(layer, camera).color, b = wide.shade(layer, camera).color;
         ASSERT_EQ(a.size(), b.size());
         for (std::size_t i = 0; i < a.size(); ++i)
           for (int c = 0; c < 4; ++c)

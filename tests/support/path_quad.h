@@ -62,9 +62,9 @@ template <typename MakeRenderer> ShadedPoint shadeQuad(const gpu::Device& device
   const auto renderer = makeRenderer(buffers, pass.binKinds());
   const gpu::ShadedSurface shaded = renderer.shade(surface, camera);
   ShadedPoint point;
-  point.color = glm::vec3(shaded.color.at(0));
-  point.opacity = shaded.color.at(0).w;
-  for (std::size_t t = 0; t < shaded.terms.size(); ++t) point.terms[t] = glm::vec3(shaded.terms[t].at(0));
+  point.color = glm::vec3(shaded.color[0]);
+  point.opacity = shaded.color[0].w;
+  for (std::size_t t = 0; t < shaded.terms.size(); ++t) point.terms[t] = glm::vec3(shaded.terms[t][0]);
   return point;
 }
 
