@@ -138,7 +138,7 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   m_properties = m_physical.getProperties();
   m_memory = m_physical.getMemoryProperties();
   constexpr auto unified = vk::MemoryPropertyFlagBits::eDeviceLocal | vk::MemoryPropertyFlagBits::eHostVisible |
-                           vk::MemoryPropertyFlagBits::eHostCached;
+                           vk::MemoryPropertyFlagBits::eHostCoherent | vk::MemoryPropertyFlagBits::eHostCached;
   for (std::uint32_t i = 0; i < m_memory.memoryTypeCount; ++i)
     m_unifiedMemory |= (m_memory.memoryTypes[i].propertyFlags & unified) == unified;
 

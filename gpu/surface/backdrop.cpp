@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <span>
+#include <vector>
 
 namespace parity::gpu {
 

@@ -18,7 +18,7 @@ public:
   // composed; the images of others stay empty. An empty list: the frame has no terms.
   FrameBuilder(std::uint32_t width, std::uint32_t height, int samples, const std::vector<char>& terms,
                const glm::vec3& background, const std::optional<TargetCodec>& target = std::nullopt);
-  // Of terms alone: the frame's colour stays empty.
+  // Of terms alone, which no target rounds: the frame's colour stays empty.
   static FrameBuilder ofTerms(std::uint32_t width, std::uint32_t height, int samples, const std::vector<char>& terms);
 
   // One (tile, sample): begins with the background; then its layers from the back to the front, those of surfaces that

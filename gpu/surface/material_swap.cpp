@@ -1,6 +1,7 @@
 #include "gpu/surface/material_swap.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include "base/gathered.h"
@@ -72,7 +73,8 @@ void SwapBuilder::lay(const Surface& surface, const ShadedSurface& reference, co
   const std::size_t first = m_entries.size();
   m_entries.resize(first + surface.size());
   m_colors.resize(m_entries.size() * m_planes);
-  const bool hasBase = !m_base.empty(); // else this is the only layer
+  const bool hasBase = !m_base.empty();
+  assert((hasBase || first == 0) && "begin() was told of one layer");
   base::parallelFor(surface.size(), kSwapGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t place = surface.pixels[i] - m_firstPixel;
@@ -154,8 +156,8 @@ void SwapBuilder::keepOnlySample() {
 void SwapBuilder::end() {
   if (m_samples == 1) {
     keepOnlySample();
-    m_colors = {}; // take() needs as much
-    m_base = {};
+    m_colors = base::RawVector<glm::vec3>(); // take() then uses this memory for its pictures
+    m_base = base::RawVector<glm::vec3>();
     return;
   }
   std::vector<Sum> merged;

@@ -295,7 +295,7 @@ struct ShadingPass::Impl {
 };
 
 // The plane at this place of a buffer, of n values: in place where the host can read the device's memory.
-ShadedPlane planeOf(const std::shared_ptr<const Buffer>& buffer, std::size_t n, std::size_t place) {
+static ShadedPlane planeOf(const std::shared_ptr<const Buffer>& buffer, std::size_t n, std::size_t place) {
   const vk::DeviceSize offset = place * n * sizeof(glm::vec4);
   if (const std::span<const glm::vec4> values = buffer->mappedAs<glm::vec4>(n, offset); !values.empty())
     return {buffer, values};
@@ -321,7 +321,8 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   const std::size_t inA = std::min<std::size_t>(written, kTermsInA);
   const vk::DeviceSize plane = n * sizeof(glm::vec4);
   const auto makePlanes = [&](std::size_t count) { return std::make_shared<const Buffer>(device, count * plane); };
-  const auto color = makePlanes(program.leftOut == 0 ? 1 : 0), termsA = makePlanes(inA), termsB = makePlanes(written - inA);
+  const auto color = makePlanes(program.leftOut == 0 ? 1 : 0), termsA = makePlanes(inA),
+             termsB = makePlanes(written - inA);
   const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
   if (!backdrop && !nothingBehind) nothingBehind = makeNothingBehind(device, surface.width, surface.height);
   const std::vector<Binding> bindings =

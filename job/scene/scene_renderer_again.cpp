@@ -129,8 +129,7 @@ base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scen
     const base::Stopwatch watch(&m_context.timings(), "shade without a lobe");
     frame.lay(layer.surface, without->shade(layer.surface, camera));
   };
-  layAgain(camera, m_work,
-           {[&](const gpu::Tile& tile, std::size_t) { frame.begin(tile); }, lay, [&] { frame.end(); }});
+  layAgain(camera, m_work, {[&](const gpu::Tile& tile, std::size_t) { frame.begin(tile); }, lay, [&] { frame.end(); }});
   ++m_work.lobePictures;
   return frame.take().color;
 }
@@ -138,7 +137,7 @@ base::Image SceneRenderer::renderWithoutLobes(std::uint32_t features, const scen
 gpu::FrameBuilder SceneRenderer::makeFrame() const {
   const Settings& settings = m_settings;
   return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height), settings.samples,
-          {}, settings.background};
+          std::vector<char>(), settings.background};
 }
 
 void SceneRenderer::layAgain(const scenes::Camera& camera, Work& work, const Composition& composition) {

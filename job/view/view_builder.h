@@ -31,7 +31,7 @@ public:
               const gpu::SceneBuffers& buffers);
 
   // One (tile, sample), its layers from the back to the front, each by every path; tiles in order of rows, all samples
-  // of one before the next.
+  // of one before the next. layers: how many will be laid, at most.
   void begin(const gpu::Tile& tile, std::size_t layers);
   // paths: one for each plan. truth: null where there is none.
   void lay(const gpu::Surface& surface, const std::vector<ShadedByPath>& paths, const ReferenceSurface* truth);

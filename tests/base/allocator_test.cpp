@@ -35,7 +35,8 @@ void takeAndFree(std::size_t bytes) {
 TEST(Allocator, HasTheSettingsOfThePrograms) {
   EXPECT_STREQ(option<const char*>("opt.thp"), "always");
   EXPECT_EQ(option<std::ptrdiff_t>("opt.dirty_decay_ms"), -1);
-  EXPECT_EQ(option<std::size_t>("opt.oversize_threshold"), kMiB);
+  EXPECT_EQ(option<std::size_t>("opt.oversize_threshold"), kMiB / 4);
+  EXPECT_EQ(option<std::size_t>("opt.lg_extent_max_active_fit"), 12u);
 }
 
 TEST(Allocator, WhatOneThreadFreedServesAnother) {
@@ -45,6 +46,16 @@ TEST(Allocator, WhatOneThreadFreedServesAnother) {
   EXPECT_GT(after, before + 190) << "it is kept";
   for (int i = 0; i < 3; ++i) takeAndFree(200 * kMiB);
   EXPECT_LT(residentMiB(), after + 20);
+}
+
+// A block that is still in use lies beside it.
+TEST(Allocator, ALargeFreedBlockServesSmallOnes) {
+  std::vector<char> large(256 * kMiB, 'l'), below(kMiB, 'b');
+  const long before = residentMiB();
+  std::vector<char>().swap(large);
+  std::vector<std::vector<char>> small;
+  for (int i = 0; i < 200; ++i) small.emplace_back(kMiB, 's');
+  EXPECT_LT(residentMiB(), before + 20);
 }
 
 // Freed blocks of 12 MiB, one after another, make room for others of 18: they are joined. The test notices a missing

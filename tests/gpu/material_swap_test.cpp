@@ -293,13 +293,37 @@ TEST(MaterialSwap, TheOnlyLayerIsComposedAsIfOthersCame) {
         EXPECT_EQ(alone[m].whole, expected[m].whole);
         ASSERT_EQ(alone[m].planes.size(), 2u);
         for (std::size_t p = 0; p < 2; ++p)
-          EXPECT_TRUE(std::ranges::equal(alone[m].planes[p].pixels, expected[m].planes[p].pixels, [](float a, float b) {
-            return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-          })) << m << p << blended << samples;
+          EXPECT_TRUE(std::ranges::equal(
+              alone[m].planes[p].pixels, expected[m].planes[p].pixels,
+              [](float a, float b) { return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b); }))
+              << m << p << blended << samples;
       }
       const float over = blended ? 0.0625f : 1;
       EXPECT_FLOAT_EQ(alone[0].planes[0].pixels[0], (1 - over) * 0.25f + over * 0.7f);
     }
+}
+
+TEST(MaterialSwap, TilesOfOneLayerAndOfTwoFollowEachOther) {
+  SwapBuilder swap(kMaterialOf, 3, kWidth, 1, {glm::vec3(0.25f)});
+  for (std::uint32_t row = 0; row < 4; ++row) {
+    const bool hasPane = row % 2 == 1;
+    std::vector<Layer> layers = {makeLayer({{kWidth * row, 0, 0.5f, 0.75f}})};
+    if (hasPane) layers.push_back(makeLayer({{kWidth * row, 1, 1, 2, 0.5f}, {kWidth * row + 1, 1, 1, 2, 0.5f}}, true));
+    swap.begin({row, 1}, layers.size());
+    for (const Layer& layer : layers) {
+      const SwapPlane plane{layer.reference.color, layer.test.color};
+      swap.lay(*layer.surface, layer.reference, layer.test, {&plane, 1});
+    }
+    swap.end();
+  }
+  const auto found = swap.take({{"a", {0, 4, 8, 12}, {}}, {"b", {4, 5, 12, 13}, {}}, {"c", {}, {}}}, {});
+  const auto expectValues = [&](std::size_t material, const std::vector<float>& expected) {
+    for (std::size_t i = 0; i < 4; ++i)
+      EXPECT_FLOAT_EQ(found[material].planes[0].pixels[3 * i], expected[i]) << material << ' ' << i;
+  };
+  const float throughPane = 0.5f * 0.75f + 0.5f, pane = 0.5f * 0.5f + 1, paneAlone = 0.5f * 0.25f + 1;
+  expectValues(0, {0.75f, throughPane, 0.75f, throughPane});
+  expectValues(1, {pane, paneAlone, pane, paneAlone});
 }
 
 TEST(MaterialSwap, PlanesAreComposedSideBySide) {

@@ -38,6 +38,16 @@ TEST(ShadedPlane, KeepsWhatItReadsInPlace) {
   EXPECT_EQ(copy.size(), 2u);
 }
 
+TEST(ShadedPlane, IsEmptyWhenMovedFrom) {
+  ShadedPlane first = {kRed};
+  const ShadedPlane second = std::move(first);
+  EXPECT_TRUE(first.empty()); // NOLINT(bugprone-use-after-move): that is what the test asks
+  EXPECT_EQ(second[0], kRed);
+  ShadedPlane third = {kBlue, kBlue};
+  third = second;
+  EXPECT_EQ(tests::valuesOf(third), std::vector<glm::vec4>{kRed});
+}
+
 TEST(ShadedPlane, IsBlackWhereAllRadianceIsZero) {
   EXPECT_TRUE(ShadedPlane::zeros(2).isBlack());
   EXPECT_TRUE(ShadedPlane({glm::vec4(0, -0.f, 0, 1)}).isBlack()) << "the fourth value is no radiance";

@@ -19,7 +19,7 @@ inline std::vector<glm::vec4> valuesOf(const gpu::ShadedPlane& plane) {
 inline bool haveSameBits(const gpu::ShadedPlane& a, const gpu::ShadedPlane& b) {
   const std::vector<glm::vec4> first = valuesOf(a), second = valuesOf(b);
   return first.size() == second.size() &&
-         std::memcmp(first.data(), second.data(), first.size() * sizeof(glm::vec4)) == 0;
+         (first.empty() || std::memcmp(first.data(), second.data(), first.size() * sizeof(glm::vec4)) == 0);
 }
 
 } // namespace parity::tests
