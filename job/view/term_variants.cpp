@@ -47,7 +47,8 @@ TermVariants::TermVariants(const gpu::Surface& surface, const gpu::ShadedSurface
 
 std::vector<gpu::SwapPlane> TermVariants::planes() const {
   std::vector<gpu::SwapPlane> planes = {{m_reference.color, m_test.color}};
-  for (const base::RawVector<glm::vec4>& colors : m_colors) planes.push_back({m_reference.color, gpu::PlaneView(colors)});
+  for (const base::RawVector<glm::vec4>& colors : m_colors)
+    planes.push_back({m_reference.color, gpu::PlaneView(colors)});
   return planes;
 }
 
@@ -58,8 +59,7 @@ void markUsedTerms(const gpu::ShadedSurface& reference, const gpu::ShadedSurface
   };
   if (!std::ranges::all_of(std::views::iota(std::size_t{0}, test.color.size()), isFinite)) std::ranges::fill(used, 1);
   base::parallelFor(used.size(), 1, [&](std::size_t t, std::size_t) {
-    if (used[t] == 0)
-      used[t] = reference.terms[t].isBlack() && test.terms[t].isBlack() ? 0 : 1;
+    if (used[t] == 0) used[t] = reference.terms[t].isBlack() && test.terms[t].isBlack() ? 0 : 1;
   });
 }
 

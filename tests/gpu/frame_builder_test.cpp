@@ -93,8 +93,7 @@ TEST(FrameBuilder, AveragesSamplesInLinearLight) {
 
 TEST(FrameBuilder, LaysTheBlendedLayerOverColourAndTermsAlike) {
   FrameBuilder builder(2, 1, 1, std::vector<char>(shading::kBaseTermCount, 1), glm::vec3(1));
-  ShadedSurface below{{glm::vec4(4, 4, 4, 1)},
-                      std::vector<ShadedPlane>(shading::kTermCount, ShadedPlane::zeros(1))};
+  ShadedSurface below{{glm::vec4(4, 4, 4, 1)}, std::vector<ShadedPlane>(shading::kTermCount, ShadedPlane::zeros(1))};
   below.terms[0] = {glm::vec4(4, 4, 4, 0)};
   ShadedSurface above{{glm::vec4(8, 8, 8, 0.25f), glm::vec4(8, 8, 8, 0.5f)},
                       std::vector<ShadedPlane>(shading::kTermCount, {glm::vec4(0), glm::vec4(0)})};
@@ -110,9 +109,7 @@ TEST(FrameBuilder, LaysTheBlendedLayerOverColourAndTermsAlike) {
 
 TEST(FrameBuilder, AddsPremultipliedColourAndTermsAsTheyAre) {
   FrameBuilder builder(2, 1, 1, std::vector<char>(shading::kBaseTermCount, 1), glm::vec3(1));
-  const auto terms = [](float value) {
-    return std::vector<ShadedPlane>(shading::kTermCount, {glm::vec4(value)});
-  };
+  const auto terms = [](float value) { return std::vector<ShadedPlane>(shading::kTermCount, {glm::vec4(value)}); };
   const ShadedSurface below{{glm::vec4(4, 4, 4, 1)}, terms(4)}, above{{glm::vec4(2, 2, 2, 0.25f)}, terms(2), true};
   add(builder, ShadedLayer{makeSurface({0}), below}, ShadedLayer{makeSurface({0}, true), above});
   const base::Frame frame = builder.take();

@@ -100,7 +100,8 @@ protected:
       for (std::size_t k = 0; k < visible.layers.size(); ++k) {
         const Surface surface = pass.resolve(visible, k, camera);
         std::vector<glm::vec4> colors;
-        for (const ResolvedMaterial& m : materials.resolve(surface, camera)) colors.emplace_back(m.baseColor, m.opacity);
+        for (const ResolvedMaterial& m : materials.resolve(surface, camera))
+          colors.emplace_back(m.baseColor, m.opacity);
         const ShadedSurface shaded{std::move(colors), {}};
         frame.lay(surface, shaded);
         coverage.lay(surface, shaded);
