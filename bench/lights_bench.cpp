@@ -101,7 +101,7 @@ void shade(benchmark::State& state, const Picture& seen, highend::Inputs inputs)
       stage().device, stage().buffers, seen.pass.binKinds(), inputs,
       {.model = {.diffuse = highend::DiffuseLobe::lambert}, .compensation = highend::Compensation::none});
   renderer.shade(seen.surface, stage().camera); // compiles
-  for (auto _ : state) benchmark::DoNotOptimize(renderer.shade(seen.surface, stage().camera).color.data());
+  for (auto _ : state) benchmark::DoNotOptimize(renderer.shade(seen.surface, stage().camera).color.size());
   state.counters["pixels"] = static_cast<double>(seen.surface.size());
   state.counters["reaching"] = meanReaching(inputs.lights);
 }
