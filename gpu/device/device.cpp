@@ -82,6 +82,13 @@ DeviceChoice requireChoice(const std::vector<vk::raii::PhysicalDevice>& devices,
   throw deviceError("device", wanted + reasons + (options.name.empty() ? fmt::format("; {}", kInstallDriver) : ""));
 }
 
+// Held while a device or its instance is made or goes. The driver frees a handle before the validation layer forgets
+// it. In between another thread may get the same handle, which the layer then forgets.
+std::mutex& mutexOfHandles() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 } // namespace
 
 struct Device::Messages {
@@ -121,7 +128,10 @@ DeviceReport findDevice(const DeviceOptions& options) {
 }
 
 Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messages(std::make_unique<Messages>()) {
-  m_instance = makeInstance(m_context, options.validation);
+  {
+    const std::lock_guard lock(mutexOfHandles());
+    m_instance = makeInstance(m_context, options.validation);
+  }
   if (options.validation) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
@@ -156,7 +166,10 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   info.get<vk::PhysicalDeviceVulkan13Features>().synchronization2 = true;
   info.get<vk::PhysicalDeviceVulkan13Features>().maintenance4 = true; // a vertex output that no fragment shader reads
   info.get<vk::PhysicalDeviceVulkan12Features>().shaderFloat16 = m_report.float16;
-  m_device = vk::raii::Device(m_physical, info.get<vk::DeviceCreateInfo>());
+  {
+    const std::lock_guard lock(mutexOfHandles());
+    m_device = vk::raii::Device(m_physical, info.get<vk::DeviceCreateInfo>());
+  }
   // A device's memory that is the host's goes back to the host at once.
   constexpr vk::DeviceSize kMostKept = vk::DeviceSize{1} << 30;
   m_memoryStore = std::make_unique<MemoryStore>(m_device, m_unifiedMemory ? 0 : kMostKept);
@@ -178,7 +191,18 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
                               m_report.float16 ? "fp16" : "no fp16", options.validation ? ", with validation" : ""));
 }
 
-Device::~Device() = default;
+Device::~Device() {
+  m_staging.reset();
+  m_fence = nullptr;
+  m_commands.clear();
+  m_queries = nullptr;
+  m_commandPool = nullptr;
+  m_memoryStore.reset();
+  const std::lock_guard lock(mutexOfHandles());
+  m_device = nullptr;
+  m_messenger = nullptr;
+  m_instance = nullptr;
+}
 
 std::string DeviceReport::description() const { return fmt::format("{} ({})", name, driver); }
 

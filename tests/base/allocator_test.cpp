@@ -35,7 +35,7 @@ void takeAndFree(std::size_t bytes) {
 TEST(Allocator, HasTheSettingsOfThePrograms) {
   EXPECT_STREQ(option<const char*>("opt.thp"), "always");
   EXPECT_EQ(option<std::ptrdiff_t>("opt.dirty_decay_ms"), -1);
-  EXPECT_EQ(option<std::size_t>("opt.oversize_threshold"), kMiB / 4);
+  EXPECT_EQ(option<std::size_t>("opt.oversize_threshold"), kMiB);
   EXPECT_EQ(option<std::size_t>("opt.lg_extent_max_active_fit"), 12u);
 }
 
