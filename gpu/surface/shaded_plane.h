@@ -1,7 +1,6 @@
 // A value for each entry of a surface: radiance and opacity, or another value of a shader.
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
@@ -59,7 +58,7 @@ public:
 
   std::size_t size() const { return m_size; }
   bool empty() const { return m_size == 0; }
-  const glm::vec4& operator[](std::size_t entry) const { return assert(entry < m_size), m_view[entry]; }
+  const glm::vec4& operator[](std::size_t entry) const { return m_view[entry]; }
   operator PlaneView() const& { return m_view; }
   operator PlaneView() && = delete; // the values would go with the plane
   // Whether all values are 0, the fourth one aside.
