@@ -191,6 +191,7 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
                               m_report.float16 ? "fp16" : "no fp16", options.validation ? ", with validation" : ""));
 }
 
+// What lives in the device goes first; only then the lock is needed.
 Device::~Device() {
   m_staging.reset();
   m_fence = nullptr;
