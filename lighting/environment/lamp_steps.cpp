@@ -7,24 +7,18 @@ namespace parity::lighting {
 
 namespace {
 
-glm::dvec3 directionOf(const FourLampSums& four, int lane) {
-  return {four.direction[0][lane], four.direction[1][lane], four.direction[2][lane]};
-}
-
 // A ball around directions.
 struct Ball {
   glm::dvec3 center{0.0};
   double radius = 0;
 };
 
-Ball ballAround(std::span<const FourLampSums> fours) {
+Ball ballAround(std::span<const glm::vec3> directions) {
   Ball ball;
-  for (const FourLampSums& four : fours)
-    for (int lane = 0; lane < 4; ++lane) ball.center += directionOf(four, lane);
-  ball.center /= 4.0 * static_cast<double>(fours.size());
-  for (const FourLampSums& four : fours)
-    for (int lane = 0; lane < 4; ++lane)
-      ball.radius = std::max(ball.radius, glm::distance(directionOf(four, lane), ball.center));
+  for (const glm::vec3& direction : directions) ball.center += glm::dvec3(direction);
+  ball.center /= static_cast<double>(directions.size());
+  for (const glm::vec3& direction : directions)
+    ball.radius = std::max(ball.radius, glm::distance(glm::dvec3(direction), ball.center));
   return ball;
 }
 
@@ -39,30 +33,53 @@ Range scaleOf(const Range& distance, double a2) {
   const double first = std::abs(1 - 2 * u.least), last = std::abs(1 - 2 * u.most);
   const bool isAcross = 2 * u.least < 1 && 2 * u.most > 1;
   const double least = isAcross ? 0 : std::min(first, last), most = std::max(first, last);
-  return {4 * std::min(t.least, least * least + 0.02), 4 * std::min(t.most, most * most + 0.02)};
+  const auto scale = [](double ofLobe, double cosine) {
+    return 4 * std::min(ofLobe, cosine * cosine + double{kLampHorizonScale});
+  };
+  return {scale(t.least, least), scale(t.most, most)};
 }
+
+// Whether all of a node is below the horizon, with a thousandth to spare. Its cosine is `cosine`; none of its light is
+// farther from there than twice the root of its spread.
+bool isBelow(double cosine, double spread) {
+  return cosine < 0 && cosine * cosine > spread * (cosine * cosine + 4.001);
+}
+
+// Whether the horizon may cut a node, with a twentieth to spare.
+bool isCut(double cosine, double spread) {
+  const double width = 1.05 * double{kLampHorizon};
+  return cosine < 0 || cosine * cosine < width * width * spread;
+}
+
+// A node is far where its distance or the lobe's width, 2 alpha, is this many times the radius of the directions.
+// Polynomials of degree 4 then err by 2e-4 of its light or less.
+constexpr double kFar = 4;
 
 } // namespace
 
-std::vector<LampStep> findLampSteps(const LampTree& tree, float a2, std::span<const FourLampSums> fours) {
+LampSteps findLampSteps(const LampTree& tree, float a2, std::span<const glm::vec3> directions) {
   constexpr double kRounding = 1e-4; // relative; that of addLamps is below 1e-5
-  const Ball ball = ballAround(fours);
-  std::vector<LampStep> steps;
+  const Ball ball = ballAround(directions);
+  LampSteps steps;
   for (std::uint32_t i = 0; i < tree.nodes.size();) {
     const LampNode& node = tree.nodes[i];
-    bool isTaken = node.next == i + 1;
-    if (!isTaken) {
-      const double distance = glm::distance(glm::dvec3(node.direction), ball.center),
-                   limit = static_cast<double>(kLampOpening) * static_cast<double>(node.spread);
-      const Range scale =
-          scaleOf({std::max(0.0, distance - ball.radius), distance + ball.radius}, static_cast<double>(a2));
-      if (scale.most < limit * (1 - kRounding)) {
-        ++i;
-        continue;
-      }
-      isTaken = scale.least > limit * (1 + kRounding);
+    const double distance = glm::distance(glm::dvec3(node.direction), ball.center), spread{node.spread};
+    const Range distances{std::max(0.0, distance - ball.radius), distance + ball.radius};
+    const Range cosines{1 - distances.most * distances.most / 2, 1 - distances.least * distances.least / 2};
+    if (isBelow(cosines.most, spread)) {
+      i = node.next;
+      continue;
     }
-    steps.push_back({.node = i, .isTaken = isTaken});
+    const Range scale = scaleOf(distances, static_cast<double>(a2));
+    const double limit = double{kLampOpening} * spread;
+    const bool isFar = distance * distance + 4 * static_cast<double>(a2) > std::pow(kFar * ball.radius, 2);
+    const bool isTaken = tree.isLeaf(i) || scale.least > limit * (1 + kRounding);
+    if (!isTaken && (isFar || scale.most < limit * (1 - kRounding))) {
+      ++i;
+      continue;
+    }
+    const bool isSmooth = isFar && !isCut(cosines.least, spread);
+    (!isTaken ? steps.walked : isSmooth ? steps.smooth : steps.taken).push_back(i);
     i = node.next;
   }
   return steps;

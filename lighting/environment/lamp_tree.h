@@ -2,14 +2,11 @@
 // Illumination"): from far away a whole lamp is one light, from close by its parts are many.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
 
-#include "lighting/environment/float4.h"
 #include "lighting/environment/panorama.h"
 
 namespace parity::lighting {
@@ -51,16 +48,5 @@ Lamps takeLamps(Panorama& panorama);
 // divided first. The root's light stays the same. The result is not binary: a node with more than a quarter of its
 // parent's spread is left out, because a pixel that opens the parent nearly always opens this node, too.
 LampTree pruneLamps(const LampTree& tree, std::size_t leaves);
-
-// Four unit directions (x, y, z) and the sums of light there (red, green, blue).
-struct FourLampSums {
-  std::array<Float4, 3> direction{}, sum{};
-};
-
-// Adds the tree's light filtered as prefilteredLobe (shading/lamps.glsl) does, of alpha^2 = `a2`, to the sums. A node
-// stands for all below it where the lobe is nearly a parabola over it, at all four directions: then the second moment
-// of its light gives the mean. Sums do not depend on the other fours, nor on the processor; fours of directions close
-// to each other are faster.
-void addLamps(const LampTree& tree, float a2, std::span<FourLampSums> fours);
 
 } // namespace parity::lighting

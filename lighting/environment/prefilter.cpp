@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/parallel.h"
+#include "lighting/environment/lamp_sums.h"
 #include "shading/shading.h"
 
 namespace parity::lighting {
@@ -30,34 +31,8 @@ glm::mat3 makeFrame(const glm::vec3& n) {
   return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
 }
 
-// Texels that are filtered together: neighbours open the same lamps. Small faces have small tiles, for all cores.
-constexpr int kMaxTileSide = 16, kMaxTileTexels = kMaxTileSide * kMaxTileSide;
+// Small faces have small tiles, for all cores.
 int tileSideOf(int size) { return std::clamp(size / 4, std::min(size, 4), kMaxTileSide); }
-
-struct TexelTile {
-  int face, left, top, side;
-  int count() const { return side * side; }
-};
-
-void addLampsToTile(const LampTree& lamps, const TexelTile& tile, std::span<const glm::vec3> normals, float a2,
-                    std::span<glm::vec3> sums) {
-  std::array<FourLampSums, kMaxTileTexels / 4> fours;
-  // Squares of four rows: those of one square open the same lamps more often than those of one row.
-  const int rows = std::min(tile.side, 4), count = (tile.side + 3) / 4 * tile.side;
-  // What is left over of four directions repeats the last of its row.
-  const auto texelOf = [&](int four, int lane) {
-    const int square = four / rows, across = (tile.side + 3) / 4;
-    const int x = square % across * 4 + lane, y = square / across * rows + four % rows;
-    return y * tile.side + std::min(x, tile.side - 1);
-  };
-  for (int four = 0; four < count; ++four)
-    for (int lane = 0; lane < 4; ++lane)
-      for (int c = 0; c < 3; ++c) fours[four].direction[c][lane] = normals[texelOf(four, lane)][c];
-  addLamps(lamps, a2, std::span(fours).first(count));
-  for (int four = 0; four < count; ++four)
-    for (int lane = 0; lane < std::min(4, tile.side); ++lane)
-      for (int c = 0; c < 3; ++c) sums[texelOf(four, lane)][c] += fours[four].sum[c][lane];
-}
 
 // How a level is filtered.
 struct LevelLobe {
@@ -66,11 +41,11 @@ struct LevelLobe {
 };
 
 // By each lobe into the level of the same place.
-void filterTile(const FilterSource& source, std::span<const LevelLobe> lobes, const TexelTile& tile, int size,
+void filterTile(const FilterSource& source, std::span<const LevelLobe> lobes, const TexelTile& tile,
                 std::vector<std::vector<glm::vec4>>& levels) {
   std::array<glm::vec3, kMaxTileTexels> normals, sums, brightSums{};
   std::array<glm::mat3, kMaxTileTexels> frames;
-  const int count = tile.count();
+  const int count = tile.count(), size = tile.faceSize;
   for (int i = 0; i < count; ++i) {
     normals[i] = glm::vec3(texelDirection(tile.face, tile.left + i % tile.side, tile.top + i / tile.side, size));
     frames[i] = makeFrame(normals[i]);
@@ -147,8 +122,8 @@ std::vector<std::vector<glm::vec4>> prefilter(const FilterSource& source, int mi
   const int side = tileSideOf(size), across = size / side;
   base::parallelFor(static_cast<std::size_t>(kCubeFaces) * across * across, 1, [&](std::size_t i, std::size_t) {
     const int face = static_cast<int>(i) / (across * across), inFace = static_cast<int>(i) % (across * across);
-    const TexelTile tile{face, inFace % across * side, inFace / across * side, side};
-    filterTile(source, lobes, tile, size, levels);
+    const TexelTile tile{face, inFace % across * side, inFace / across * side, side, size};
+    filterTile(source, lobes, tile, levels);
   });
   return levels;
 }

@@ -51,18 +51,6 @@ template <std::size_t first = 0, typename Tag, typename Of> HWY_INLINE hn::Vec<T
     return hn::Set(d, *of(first));
 }
 
-// All lanes of the blocks of which a lane is set.
-HWY_INLINE M wholeBlocks(M lanes) {
-  const D d;
-#if HWY_TARGET == HWY_SCALAR
-  return hn::AllFalse(d, lanes) ? M{} : ~M{};
-#else
-  V v = hn::VecFromMask(d, lanes);
-  v = hn::Or(v, hn::Shuffle2301(v));
-  return hn::MaskFromVec(hn::Or(v, hn::Shuffle1032(v)));
-#endif
-}
-
 // The same four floats in each block.
 HWY_INLINE V repeatBlock(const float* p) { return hn::LoadDup128(D(), p); }
 HWY_INLINE V set(float value) { return hn::Set(D(), value); }

@@ -40,6 +40,7 @@ template <typename T> T Sub(const T& a, const T& b) { return a - b; }
 template <typename T> T Mul(const T& a, const T& b) { return a * b; }
 inline V Div(const V& a, const V& b) { return a / b; }
 inline V Neg(const V& a) { return -a; }
+inline V Abs(const V& a) { return a < 0 ? -a : a; }
 template <typename T> T Min(const T& a, const T& b) { return a < b ? a : b; }
 template <typename T> T Max(const T& a, const T& b) { return a > b ? a : b; }
 template <int bits> VI ShiftLeft(const VI& v) { return v << bits; }

@@ -6,7 +6,6 @@
 
 #include "lighting/environment/lamp_tree.h"
 #include "scenes/load.h"
-#include "shading/shading.h"
 
 namespace parity::lighting {
 namespace {
@@ -170,36 +169,6 @@ TEST(LampTree, BoundsTheNumberOfCompactLamps) {
   const Lamps lamps = takeLamps(p);
   EXPECT_EQ(lamps.compact.nodes.size(), 2u * 64 - 1);
   EXPECT_EQ(lamps.wide.nodes.size(), 2u * 336 - 1);
-}
-
-// Against the sum over every leaf, as a point where it is far and by an exact mean over its cell where it is near.
-TEST(LampTree, FiltersAsItsLeavesDo) {
-  Panorama p = makeLamp(24, {50, 50, 50});
-  const LampTree tree = takeLamps(p).wide;
-  const glm::dvec3 lamp(tree.nodes[0].direction), side = glm::normalize(glm::cross(lamp, glm::dvec3(0, 1, 0)));
-  for (const double roughness : {0.1, 0.3, 0.6, 1.0}) {
-    const double a2 = std::pow(roughness, 4);
-    for (const double angle : {0.0, 0.1, 0.3, 0.8, 1.3}) {
-      FourLampSums four;
-      glm::dvec3 direction[4];
-      for (int i = 0; i < 4; ++i) {
-        direction[i] = glm::normalize(std::cos(angle + 0.002 * i) * lamp + std::sin(angle + 0.002 * i) * side);
-        for (int c = 0; c < 3; ++c) four.direction[c][i] = static_cast<float>(direction[i][c]);
-      }
-      addLamps(tree, static_cast<float>(a2), {&four, 1});
-      for (int i = 0; i < 4; ++i) {
-        double expected = 0;
-        for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
-          if (!tree.isLeaf(n)) continue;
-          const glm::dvec3 d = glm::dvec3(tree.nodes[n].direction) - direction[i];
-          expected +=
-              tree.nodes[n].light.y * shading::f64::prefilteredLobe(a2, shading::f64::prefilteredLobeIntegral(a2),
-                                                                    glm::dot(d, d) / 4, tree.nodes[n].spread);
-        }
-        EXPECT_NEAR(four.sum[1][i], expected, 0.03 * expected + 1e-9) << roughness << " " << angle;
-      }
-    }
-  }
 }
 
 } // namespace
