@@ -128,7 +128,7 @@ private:
 
   void printSetting(const lighting::PrefilterOptions& options) const {
     std::vector<double> all;
-    double seconds = 1e30; // of all threads; the least of the maps, which differ by noise alone
+    double seconds = 1e30; // of all threads; the least of the maps
     for (const Map& map : m_maps) {
       const std::clock_t begin = std::clock();
       const lighting::EnvironmentLight light = lighting::makeEnvironmentLight(map.environment, options);

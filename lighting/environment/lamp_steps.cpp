@@ -39,8 +39,9 @@ Range scaleOf(const Range& distance, double a2) {
   return {scale(t.least, least), scale(t.most, most)};
 }
 
-// Whether all of a node is below the horizon, with a thousandth to spare. Its cosine is `cosine`; none of its light is
-// farther from there than twice the root of its spread.
+// Whether all of a node is below the horizon, at a cosine of its direction. The middles of its cells are within 2
+// sqrt(spread) of their centroid, which lies at least sqrt(1 - spread) along the direction: they are below where
+// sqrt(1 - spread) |cosine| is above 2 sqrt(spread). The 4.001 is for rounding.
 bool isBelow(double cosine, double spread) {
   return cosine < 0 && cosine * cosine > spread * (cosine * cosine + 4.001);
 }
@@ -51,8 +52,9 @@ bool isCut(double cosine, double spread) {
   return cosine < 0 || cosine * cosine < width * width * spread;
 }
 
-// A node is far where its distance or the lobe's width, 2 alpha, is this many times the radius of the directions.
-// Polynomials of degree 4 then err by 2e-4 of its light or less.
+// A node is far where its distance or the lobe's width, 2 alpha, is this many times the radius of the directions. A
+// polynomial of degree 4 then errs by less than 1e-3 of the node's light at the brightest of them; errors of many nodes
+// cancel in part (tests/lighting/lamp_sums_test.cpp).
 constexpr double kFar = 4;
 
 } // namespace
@@ -60,6 +62,7 @@ constexpr double kFar = 4;
 LampSteps findLampSteps(const LampTree& tree, float a2, std::span<const glm::vec3> directions) {
   constexpr double kRounding = 1e-4; // relative; that of addLamps is below 1e-5
   const Ball ball = ballAround(directions);
+  const double lobe = 4 * static_cast<double>(a2), far = kFar * ball.radius;
   LampSteps steps;
   for (std::uint32_t i = 0; i < tree.nodes.size();) {
     const LampNode& node = tree.nodes[i];
@@ -72,7 +75,7 @@ LampSteps findLampSteps(const LampTree& tree, float a2, std::span<const glm::vec
     }
     const Range scale = scaleOf(distances, static_cast<double>(a2));
     const double limit = double{kLampOpening} * spread;
-    const bool isFar = distance * distance + 4 * static_cast<double>(a2) > std::pow(kFar * ball.radius, 2);
+    const bool isFar = distance * distance + lobe > far * far;
     const bool isTaken = tree.isLeaf(i) || scale.least > limit * (1 + kRounding);
     if (!isTaken && (isFar || scale.most < limit * (1 - kRounding))) {
       ++i;

@@ -18,9 +18,10 @@ namespace parity::lighting {
 inline constexpr float kLampOpening = 96, kLampHorizonScale = 0.05f;
 
 // The horizon cuts a node whose cosine is within kLampHorizon times the root of its spread.
-inline constexpr float kLampHorizon = 1.1283792f; // 2 / sqrt(pi), see cosineOf in lamp_tree_simd.cpp
+inline constexpr float kLampHorizon = 1.1283792f; // 2 / sqrt(pi), see cosineOf in lamp_sums_simd.cpp
 
-// Nodes in the order of the tree. None is below another; what is in no list gives no light to any of the directions.
+// Nodes in the order of the tree. None is below another. A leaf that is neither in a list nor below a node of one gives
+// no light to any of the directions.
 struct LampSteps {
   std::vector<std::uint32_t> smooth; // all take it, and a polynomial of degree 4 gives its light between them
   std::vector<std::uint32_t> taken;  // all take it

@@ -6,10 +6,10 @@
 
 #include <glm/glm.hpp>
 
-#include "lighting/environment/cube.h"
 #include "lighting/environment/float4.h"
 #include "lighting/environment/lamp_steps.h"
 #include "lighting/environment/lamp_tree.h"
+#include "lighting/environment/texel_tile.h"
 
 namespace parity::lighting {
 
@@ -19,21 +19,15 @@ struct FourLampSums {
 };
 
 // Adds the tree's light filtered as prefilteredLobe (shading/lamps.glsl) does, of alpha^2 = `a2`, to the sums. A node
-// stands for all below it where the lobe is nearly a parabola over it, at all of sixteen directions: then the second
-// moment of its light gives the mean. Where the horizon cuts a node, the cosine is a mean over it, too. steps: of the
-// directions; `smooth` counts as taken. Sums do not depend on the processor. Four fours in a row should be close to
-// each other: they open the tree together.
+// stands for all below it where the lobe is nearly a parabola over it: then the second moment of its light gives the
+// mean. Each four fours in a row decide that together. They should be close to each other, and the sums depend on which
+// they are, but not on the processor. Where the horizon cuts a node, the cosine is a mean over it, too: such light is
+// above 0 a little below the horizon. steps: what findLampSteps gives for the tree, a2 and all directions of the fours;
+// `smooth` counts as taken.
 void addLamps(const LampTree& tree, float a2, const LampSteps& steps, std::span<FourLampSums> fours);
 
-// Texels of a face that are filtered together: neighbours open the same lamps.
-struct TexelTile {
-  int face, left, top, side, faceSize;
-  int count() const { return side * side; }
-};
-inline constexpr int kMaxTileSide = 16, kMaxTileTexels = kMaxTileSide * kMaxTileSide;
-
-// Adds the same to the sums of a tile's texels, row by row. The light of smooth lamps is found at 5 x 5 points of a
-// large tile and interpolated. normals: of the texels, unit.
+// Adds the same to the sums of a tile's texels. Tiles of 8x8 texels or more find the light of smooth nodes at 5x5
+// points and interpolate it. normals: of the texels, unit; as many as sums.
 void addLampsToTile(const LampTree& tree, const TexelTile& tile, std::span<const glm::vec3> normals, float a2,
                     std::span<glm::vec3> sums);
 

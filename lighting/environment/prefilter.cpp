@@ -11,6 +11,7 @@
 
 #include "base/parallel.h"
 #include "lighting/environment/lamp_sums.h"
+#include "lighting/environment/texel_tile.h"
 #include "shading/shading.h"
 
 namespace parity::lighting {

@@ -26,7 +26,6 @@ template <typename Tag> constexpr std::size_t MaxLanes(Tag) { return 4; }
 inline V Set(D, float v) { return V{v, v, v, v}; }
 inline VI Set(DI, std::int32_t v) { return VI{v, v, v, v}; }
 inline V Zero(D) { return V{}; }
-inline VI Zero(DI) { return VI{}; }
 inline V LoadU(D, const float* p) {
   V v;
   std::memcpy(&v, p, sizeof v);
@@ -50,13 +49,10 @@ inline M Ge(const V& a, const V& b) { return a >= b; }
 inline M Eq(const V& a, const V& b) { return a == b; }
 template <typename T> M Gt(const T& a, const T& b) { return a > b; }
 template <typename T> T And(const T& a, const T& b) { return a & b; }
-inline M Or(const M& a, const M& b) { return a | b; }
-inline M AndNot(const M& a, const M& b) { return ~a & b; }
 template <typename Tag> M RebindMask(Tag, const M& m) { return m; }
 inline bool AllTrue(D, const M& m) { return (m[0] & m[1] & m[2] & m[3]) != 0; }
 inline bool AllFalse(D, const M& m) { return (m[0] | m[1] | m[2] | m[3]) == 0; }
 template <typename T> T IfThenElse(const M& m, const T& yes, const T& no) { return m ? yes : no; }
-inline V IfThenZeroElse(const M& m, const V& no) { return m ? V{} : no; }
 
 inline VI ConvertTo(DI, const V& v) { return __builtin_convertvector(v, VI); }
 inline V ConvertTo(D, const VI& v) { return __builtin_convertvector(v, V); }

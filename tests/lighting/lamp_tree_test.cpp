@@ -1,4 +1,4 @@
-// The tree of an environment's lamps: what it takes, what it keeps, and what it filters to.
+// The tree of an environment's lamps: what it takes and what it keeps.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -2,14 +2,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
 #include "lighting/environment/lamp_sums.h"
 #include "shading/shading.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "lighting/environment/lamp_tree_simd.cpp"
+#define HWY_TARGET_INCLUDE "lighting/environment/lamp_sums_simd.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -20,6 +22,7 @@ namespace parity::lighting::HWY_NAMESPACE {
 
 constexpr std::size_t kFours = 4; // of a walker, on every processor: they open a node together
 constexpr std::size_t kParts = kFours / kBlocks;
+static_assert(kFours % kBlocks == 0);
 
 struct Walker {
   V x[kParts][3], sums[kParts][3];
@@ -44,9 +47,9 @@ HWY_INLINE bool isNear(const LampNode& node, const Sight& sight) {
   return !hn::AllFalse(D(), isTooNear);
 }
 
-// Mean of max(cosine, 0) over a node. Where the horizon cuts it, between -h and h, it is a parabola. At the horizon
-// that is the mean of a normal distribution with half of the spread along each axis: h / 4 = sqrt(spread / 2) / sqrt(2
-// pi).
+// Mean of max(cosine, 0) over a node, whose spread is above 0. Where the horizon cuts it, between -h and h, it is a
+// parabola. At the horizon that is the mean of a normal distribution with half of the spread along each axis:
+// h / 4 = sqrt(spread / 2) / sqrt(2 pi).
 HWY_INLINE V cosineOf(const LampNode& node, V cosine) {
   const D d;
   const M isCut = hn::Lt(hn::Mul(cosine, hn::Abs(cosine)), set(kLampHorizon * kLampHorizon * node.spread));
