@@ -59,7 +59,8 @@ void filterTile(const FilterSource& source, std::span<const LevelLobe> lobes, co
       for (int i = 0; i < count; ++i) sums[i] += brightSums[i];
     }
     if (source.lamps)
-      addLampsToTile(*source.lamps, tile, normals, static_cast<float>(std::pow(lobe.roughnessOfBright, 4)), sums);
+      addLampsToTile(*source.lamps, tile, std::span(normals).first(count),
+                     static_cast<float>(std::pow(lobe.roughnessOfBright, 4)), std::span(sums).first(count));
     glm::vec4* texels = &levels[layer][texelIndex(tile.face, tile.left, tile.top, size)];
     for (int y = 0; y < tile.side; ++y)
       for (int x = 0; x < tile.side; ++x) texels[y * size + x] = glm::vec4(sums[y * tile.side + x], 1.f);
