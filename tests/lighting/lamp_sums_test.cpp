@@ -160,6 +160,46 @@ TEST(LampSums, OfATileAreThoseOfItsDirections) {
   }
 }
 
+// One lamp as near as a smooth one may be, where polynomials err most: findLampSteps (kFar) promises a thousandth of
+// its light at the brightest texel.
+TEST(LampSums, OfTheNearestSmoothLampAreAPolynomial) {
+  int smooth = 0;
+  for (const Tile& tile : kTiles) {
+    if (tile.place.side < 8) continue;
+    glm::dvec3 mean(0.0);
+    for (const glm::vec3& normal : tile.normals) mean += glm::dvec3(normal) / static_cast<double>(tile.place.count());
+    double radius = 0;
+    for (const glm::vec3& normal : tile.normals) radius = std::max(radius, glm::distance(glm::dvec3(normal), mean));
+    const glm::dvec3 middle = glm::normalize(mean), right = glm::normalize(glm::cross(middle, glm::dvec3(0.3, 1, 0.2))),
+                     up = glm::cross(right, middle);
+    for (const double azimuth : {0.0, 0.8, 2.0, 4.0})
+      for (const float a2 : {1e-5f, 1e-4f, 1e-3f}) {
+        // Found by steps: the first angle at which the lamp is smooth.
+        for (double angle = 2 * radius; angle < 1.5; angle += 0.01 * radius) {
+          const glm::dvec3 direction =
+              std::cos(angle) * middle + std::sin(angle) * (std::cos(azimuth) * right + std::sin(azimuth) * up);
+          const LampTree tree{
+              {{.direction = glm::vec3(direction), .spread = 1e-7f, .light = glm::vec3(1.f), .next = 1}}};
+          const LampSteps steps = findLampSteps(tree, a2, tile.normals);
+          if (steps.smooth.empty()) continue;
+          ++smooth;
+          std::vector<glm::vec3> sums(tile.normals.size(), glm::vec3(0.f));
+          addLampsToTile(tree, tile.place, tile.normals, a2, sums);
+          double brightest = 0, worst = 0;
+          for (std::size_t i = 0; i < sums.size(); ++i) {
+            const double expected = filteredLight(tree.nodes[0], glm::dvec3(tile.normals[i]), static_cast<double>(a2));
+            brightest = std::max(brightest, expected);
+            worst = std::max(worst, std::abs(static_cast<double>(sums[i].y) - expected));
+          }
+          EXPECT_LT(worst, 1e-3 * brightest)
+              << tile.place.face << " " << tile.place.faceSize << " " << azimuth << " " << a2;
+          break;
+        }
+      }
+  }
+  EXPECT_GT(smooth, 30);
+}
+
 TEST(LampSums, OfNoLampsStay) {
   const Tile& tile = kTiles.front();
   std::vector<glm::vec3> sums(tile.normals.size(), glm::vec3(2.f));
