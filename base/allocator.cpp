@@ -9,12 +9,13 @@
 #include <sys/resource.h>
 
 // jemalloc reads this before the first allocation; the environment variable MALLOC_CONF comes after it.
-//   thp:always                asks for pages of 2 MiB, where the system leaves that to programs
 //   dirty_decay_ms:-1         keeps what was freed for the next block
 //   oversize_threshold        blocks of 1 MiB and more share one arena: what one thread freed serves another
 //   lg_extent_max_active_fit  a freed block also serves a request of a 4096th of its size. By default that is a 64th,
 //                             and a run of several scenes takes up to 1.2 times the memory
-const char* malloc_conf = "thp:always,dirty_decay_ms:-1,oversize_threshold:1048576,lg_extent_max_active_fit:12";
+// It does not ask for pages of 2 MiB (thp:always). Virtual machines give idle memory of that size back to their hosts, and
+// get it back slowly (docs/benchmarks.md).
+const char* malloc_conf = "dirty_decay_ms:-1,oversize_threshold:1048576,lg_extent_max_active_fit:12";
 
 namespace {
 

@@ -33,7 +33,7 @@ void takeAndFree(std::size_t bytes) {
 }
 
 TEST(Allocator, HasTheSettingsOfThePrograms) {
-  EXPECT_STREQ(option<const char*>("opt.thp"), "always");
+  EXPECT_STREQ(option<const char*>("opt.thp"), "default") << "pages of 2 MiB are the system's choice";
   EXPECT_EQ(option<std::ptrdiff_t>("opt.dirty_decay_ms"), -1);
   EXPECT_EQ(option<std::size_t>("opt.oversize_threshold"), kMiB);
   EXPECT_EQ(option<std::size_t>("opt.lg_extent_max_active_fit"), 12u);
