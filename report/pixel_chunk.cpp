@@ -1,7 +1,8 @@
-// Planes of 16-bit values: differences, bytes apart, DEFLATE by libdeflate, base64.
+// Planes of 16-bit values: the pixels that differ from the one before, bytes apart, DEFLATE by libdeflate, base64.
 #include "report/pixel_chunk.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <libdeflate.h>
 
+#include "base/raw_vector.h"
 #include "report/base64.h"
 
 namespace parity::report {
@@ -52,25 +54,48 @@ void storeRow(const float* row, std::vector<std::uint16_t>& out, PlaneKind kind)
     std::transform(row, end, out.begin(), kind == PlaneKind::unorm16 ? toShare : toWhole);
 }
 
-// Channel by channel the low and the high bytes of the differences.
-std::vector<std::byte> splitChannels(const base::Image& image, PlaneKind kind) {
-  const auto channels = static_cast<std::size_t>(image.channels), width = static_cast<std::size_t>(image.width);
-  const std::size_t count = image.pixelCount();
-  std::vector<std::byte> bytes(2 * image.pixels.size());
-  std::vector<std::uint16_t> here(width * channels), above(channels, 0);
-  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
-    storeRow(image.pixels.data() + y * here.size(), here, kind);
-    for (std::size_t c = 0; c < channels; ++c) {
-      std::byte *low = bytes.data() + 2 * count * c + width * y, *high = low + count;
-      std::uint16_t left = above[c];
-      above[c] = here[c];
-      for (std::size_t x = 0; x < width; ++x) {
-        const std::uint16_t value = here[x * channels + c];
-        const auto difference = static_cast<std::uint16_t>(value - left);
-        low[x] = static_cast<std::byte>(difference & 255);
-        high[x] = static_cast<std::byte>(difference >> 8);
-        left = value;
+// The pixels that differ from the one before.
+struct Changes {
+  std::vector<std::byte> where;               // a bit a pixel, from the lowest of each byte on
+  base::RawVector<std::uint16_t> differences; // `channels` of each, modulo 65536
+  std::size_t count = 0;                      // pixels; what is behind them is not set
+};
+
+template <std::size_t channels> Changes findChanges(const base::Image& image, PlaneKind kind) {
+  const auto width = static_cast<std::size_t>(image.width), pixels = image.pixelCount();
+  Changes changes{std::vector<std::byte>((pixels + 7) / 8), base::RawVector<std::uint16_t>(channels * pixels), 0};
+  std::vector<std::uint16_t> row(width * channels);
+  std::array<std::uint16_t, channels> before{};
+  for (std::size_t pixel = 0; pixel < pixels;) {
+    storeRow(image.pixels.data() + pixel * channels, row, kind);
+    for (std::size_t x = 0; x < width; ++x, ++pixel) {
+      std::uint16_t* to = changes.differences.data() + channels * changes.count; // the next change overwrites none
+      bool differs = false;
+      for (std::size_t c = 0; c < channels; ++c) {
+        const std::uint16_t value = row[x * channels + c];
+        to[c] = static_cast<std::uint16_t>(value - before[c]);
+        differs |= to[c] != 0;
+        before[c] = value;
       }
+      changes.where[pixel / 8] |= static_cast<std::byte>(differs << pixel % 8);
+      changes.count += differs;
+    }
+  }
+  return changes;
+}
+
+// The bits, then channel by channel the low and the high bytes of the differences.
+template <std::size_t channels> std::vector<std::byte> packChanges(const base::Image& image, PlaneKind kind) {
+  Changes changes = findChanges<channels>(image, kind);
+  std::vector<std::byte> bytes = std::move(changes.where);
+  const std::size_t begin = bytes.size();
+  bytes.resize(begin + 2 * channels * changes.count);
+  for (std::size_t c = 0; c < channels; ++c) {
+    std::byte *low = bytes.data() + begin + 2 * c * changes.count, *high = low + changes.count;
+    for (std::size_t i = 0; i < changes.count; ++i) {
+      const std::uint16_t difference = changes.differences[i * channels + c];
+      low[i] = static_cast<std::byte>(difference & 255);
+      high[i] = static_cast<std::byte>(difference >> 8);
     }
   }
   return bytes;
@@ -94,14 +119,16 @@ std::string_view textOf(std::span<const std::byte> bytes) {
 
 EncodedPlane encodePlane(const PixelPlane& plane) {
   const base::Image& image = *plane.values;
-  assert(image.channels == (plane.kind == PlaneKind::rgb16f ? 3 : 1));
-  return {plane.name, plane.kind, toBase64(deflate(splitChannels(image, plane.kind)))};
+  const bool isColor = plane.kind == PlaneKind::rgb16f;
+  assert(image.channels == (isColor ? 3 : 1));
+  return {plane.name, plane.kind,
+          toBase64(deflate(isColor ? packChanges<3>(image, plane.kind) : packChanges<1>(image, plane.kind)))};
 }
 
 std::vector<std::byte> makeChunk(std::string_view file, int width, int height, std::span<const EncodedPlane> planes,
                                  std::span<const std::pair<std::string_view, int>> members) {
   const std::string head =
-      fmt::format("{}{}\",\"format\":1,\"width\":{},\"height\":{},\"planes\":[", kHead, file, width, height);
+      fmt::format("{}{}\",\"format\":2,\"width\":{},\"height\":{},\"planes\":[", kHead, file, width, height);
   std::vector<std::byte> bytes;
   const auto append = [&](std::string_view text) {
     const auto more = std::as_bytes(std::span(text));

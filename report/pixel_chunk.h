@@ -31,12 +31,13 @@ struct EncodedPlane {
   std::string data; // base64 of a raw DEFLATE stream (RFC 1951)
 };
 
-// In the stream lies channel after channel. Of each, the 16-bit values become differences, modulo 65536, to their left
-// neighbour (in the first column to the one above; the very first to 0); first come the low bytes of all, then the high
-// bytes. The same values give the same bytes.
+// The stream holds a bit for each pixel, row by row, from the lowest bit of each byte on: whether the pixel differs
+// from the one before (the pixel before the first is 0; unused bits of the last byte are 0). Then, channel after
+// channel, it holds the differences of these pixels to the pixel before, modulo 65536: first the low bytes of all, then
+// the high bytes. The same values give the same bytes.
 EncodedPlane encodePlane(const PixelPlane& plane);
 
-// The file's text: parityChunk({"file":FILE,"format":1,"width":W,"height":H,"planes":[{"name","kind","data"},...]});
+// The file's text: parityChunk({"file":FILE,"format":2,"width":W,"height":H,"planes":[{"name","kind","data"},...]});
 // members: further numbers of the object. file: relative to the report's folder, ASCII without quotes and backslashes.
 std::vector<std::byte> makeChunk(std::string_view file, int width, int height, std::span<const EncodedPlane> planes,
                                  std::span<const std::pair<std::string_view, int>> members = {});

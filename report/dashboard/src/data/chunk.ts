@@ -1,9 +1,9 @@
-// One pixel file: planes of 16-bit values, each base64 of a DEFLATE stream of byte planes of differences.
+// One pixel file: planes of 16-bit values, each base64 of a DEFLATE stream: which pixels differ from the one before, and by how much.
 import { reasonOf } from "./reason";
 
 export type PlaneKind = "rgb16f" | "unorm16" | "uint16";
 const kChannels: Readonly<Record<PlaneKind, number>> = { rgb16f: 3, unorm16: 1, uint16: 1 };
-const kFormat = 1;
+const kFormat = 2;
 const kMaxPixels = 2 ** 27; // beyond any picture: damaged figures must not ask for all memory
 
 /** Values of one plane: channel after channel, each top row first. */
@@ -72,41 +72,47 @@ function fromBase64(text: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-/** The stream's bytes; throws where they are not exactly `size`. */
-async function inflate(packed: Uint8Array<ArrayBuffer>, size: number): Promise<Uint8Array> {
-  const bytes = new Uint8Array(size);
+/** The stream's bytes; throws where they are more than `most`. */
+async function inflate(packed: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array> {
+  const bytes = new Uint8Array(most);
   let filled = 0;
   const reader = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw")).getReader();
   for (;;) {
     const { done, value } = await reader.read();
     if (done) break;
-    if (filled + value.length > size) {
+    if (filled + value.length > most) {
       await reader.cancel();
       throw new Error("more values than its size");
     }
     bytes.set(value, filled);
     filled += value.length;
   }
-  if (filled !== size) throw new Error("fewer values than its size");
-  return bytes;
+  return bytes.subarray(0, filled);
 }
 
-/** Sums of differences, row by row: a row starts from the first value of the row above. */
-function undoDifferences(bytes: Uint8Array, width: number, height: number, channels: number): Uint16Array {
-  const count = width * height;
+/**
+ * The values of `count` pixels: a bit for each, whether it differs from the one before, then the differences of those that do,
+ * of each channel the low bytes and the high bytes. Throws where the bytes are not exactly these.
+ */
+function undoDifferences(bytes: Uint8Array, count: number, channels: number): Uint16Array {
+  const bits = Math.ceil(count / 8);
+  if (bytes.length < bits) throw new Error("fewer values than its size");
+  const differs = (i: number): boolean => ((bytes[i >> 3]! >> (i & 7)) & 1) === 1;
+  let changes = 0;
+  for (let i = 0; i < count; ++i) if (differs(i)) ++changes;
+  const size = bits + 2 * changes * channels;
+  if (bytes.length !== size) throw new Error(`${bytes.length < size ? "fewer" : "more"} values than its size`);
   const values = new Uint16Array(count * channels);
   for (let channel = 0; channel < channels; ++channel) {
-    const low = 2 * count * channel;
-    const high = low + count;
+    let low = bits + 2 * changes * channel;
     const first = count * channel;
-    let rowStart = 0;
-    for (let y = 0, i = 0; y < height; ++y) {
-      let value = rowStart;
-      for (let x = 0; x < width; ++x, ++i) {
-        value = (value + (bytes[low + i]! | (bytes[high + i]! << 8))) & 0xffff;
-        if (x === 0) rowStart = value;
-        values[first + i] = value;
+    let value = 0;
+    for (let i = 0; i < count; ++i) {
+      if (differs(i)) {
+        value = (value + (bytes[low]! | (bytes[low + changes]! << 8))) & 0xffff;
+        ++low;
       }
+      values[first + i] = value;
     }
   }
   return values;
@@ -118,12 +124,14 @@ export async function decodePlane(chunk: Chunk, name: string): Promise<Plane> {
   if (packed === undefined) throw new Error(`${chunk.file} has no plane ${name}`);
   const channels = kChannels[packed.kind];
   const { width, height } = chunk;
-  let bytes: Uint8Array;
+  const count = width * height;
+  let values: Uint16Array;
   try {
-    bytes = await inflate(fromBase64(packed.data), 2 * width * height * channels);
+    const bytes = await inflate(fromBase64(packed.data), Math.ceil(count / 8) + 2 * count * channels);
+    values = undoDifferences(bytes, count, channels);
   } catch (error) {
     const why = reasonOf(error);
     throw new Error(`${chunk.file} is damaged: the plane ${name} cannot be unpacked (${why})`);
   }
-  return { name, kind: packed.kind, width, height, values: undoDifferences(bytes, width, height, channels) };
+  return { name, kind: packed.kind, width, height, values };
 }

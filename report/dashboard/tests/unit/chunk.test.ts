@@ -12,7 +12,7 @@ function random(count: number): number[] {
 }
 
 function makeChunk(plane: Record<string, unknown>, patch: Record<string, unknown> = {}): unknown {
-  return { file: "pixels/a.js", format: 1, width: kWidth, height: kHeight, planes: [plane], ...patch };
+  return { file: "pixels/a.js", format: 2, width: kWidth, height: kHeight, planes: [plane], ...patch };
 }
 
 async function decode(plane: Record<string, unknown>): Promise<number[]> {
@@ -29,13 +29,13 @@ describe("pixel files", () => {
     expect(await decode({ name: "p", kind: "rgb16f", data: packValues(three, kWidth, kHeight) })).toEqual(three);
   });
 
-  it("starts a row from the first value of the row above", async () => {
-    // Differences by hand: 2 x 2 of 10, 11 / 20, 19 are 10, 1 / 10, 65535; low bytes, then high bytes.
-    const bytes = Uint8Array.from([10, 1, 10, 255, 0, 0, 0, 255]);
+  it("repeats the pixel before where no bit says that one differs", async () => {
+    // By hand: 3 x 2 of 10, 10, 9 / 9, 9, 300. The pixels 0, 2 and 5 differ, by 10, 65535 and 291; low bytes, then high bytes.
+    const bytes = Uint8Array.from([0b100101, 10, 255, 35, 0, 255, 1]);
     const { deflateRawSync } = await import("node:zlib");
     const data = deflateRawSync(bytes).toString("base64");
-    const value = makeChunk({ name: "p", kind: "unorm16", data }, { width: 2, height: 2 });
-    expect([...(await decodePlane(checkChunk(value, "pixels/a.js"), "p")).values]).toEqual([10, 11, 20, 19]);
+    const value = makeChunk({ name: "p", kind: "unorm16", data }, { width: 3, height: 2 });
+    expect([...(await decodePlane(checkChunk(value, "pixels/a.js"), "p")).values]).toEqual([10, 10, 9, 9, 9, 300]);
   });
 
   it("refuses too few and too many values, and what is no stream", async () => {
@@ -46,6 +46,9 @@ describe("pixel files", () => {
     const cut = whole.slice(0, 4 * Math.floor(whole.length / 8));
     await expect(decode({ name: "p", kind: "uint16", data: short })).rejects.toThrow("fewer values");
     await expect(decode({ name: "p", kind: "uint16", data: long })).rejects.toThrow("more values");
+    const { deflateRawSync } = await import("node:zlib");
+    const none = deflateRawSync(Uint8Array.from([0, 0, 0, 0])).toString("base64"); // less than a bit for each
+    await expect(decode({ name: "p", kind: "uint16", data: none })).rejects.toThrow("fewer values");
     for (const data of [cut, "!!!!", ""])
       await expect(decode({ name: "p", kind: "uint16", data })).rejects.toThrow("pixels/a.js is damaged: the plane p");
   });
@@ -54,7 +57,7 @@ describe("pixel files", () => {
     const plane = { name: "p", kind: "uint16", data: "" };
     const check = (value: unknown) => () => checkChunk(value, "pixels/a.js");
     expect(check(undefined)).toThrow("holds no pixel values");
-    expect(check(makeChunk(plane, { format: 2 }))).toThrow("has format 2, but this page reads format 1");
+    expect(check(makeChunk(plane, { format: 1 }))).toThrow("has format 1, but this page reads format 2");
     expect(check(makeChunk(plane, { file: "pixels/b.js" }))).toThrow("another file");
     for (const size of [0, -1, 1.5, "7", null, NaN, 2 ** 30])
       expect(check(makeChunk(plane, { width: size }))).toThrow("its size is wrong");

@@ -34,7 +34,7 @@ async function makeTable(
       for (let r = 0; r < size; ++r, ++i) node(r, g, b).forEach((v, c) => (values[c * count + i] = halfBits(v)));
   const width = size * size;
   const planes = [{ name: "table", kind: "rgb16f", data: packValues(values, width, size) }];
-  const value = { file: "pixels/display.js", format: 1, width, height: size, planes, minLog2, maxLog2 };
+  const value = { file: "pixels/display.js", format: 2, width, height: size, planes, minLog2, maxLog2 };
   const chunk = checkChunk(value, "pixels/display.js");
   return { kind: "table", table: readDisplayTable(chunk, await decodePlane(chunk, "table")) };
 }
@@ -110,7 +110,7 @@ describe("display transform", () => {
   it("refuses a table that is no cube or has no range", async () => {
     await expect(makeTable(() => [0, 0, 0], 2, 1, 1)).rejects.toThrow("range");
     const planes = [{ name: "table", kind: "rgb16f", data: packValues(new Uint16Array(3 * 6), 3, 2) }];
-    const chunk = checkChunk({ file: "f", format: 1, width: 3, height: 2, planes, minLog2: 0, maxLog2: 1 }, "f");
+    const chunk = checkChunk({ file: "f", format: 2, width: 3, height: 2, planes, minLog2: 0, maxLog2: 1 }, "f");
     const plane = await decodePlane(chunk, "table");
     expect(() => readDisplayTable(chunk, plane)).toThrow("not a cube");
   });

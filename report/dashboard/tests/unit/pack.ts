@@ -4,17 +4,24 @@ import { deflateRawSync } from "node:zlib";
 /** values: channel after channel, each top row first; 16 bits. */
 export function packValues(values: ArrayLike<number>, width: number, height: number): string {
   const count = width * height;
-  const bytes = new Uint8Array(2 * values.length);
-  for (let i = 0; i < values.length; ++i) {
-    const at = i % count;
-    const x = at % width;
-    const before = at === 0 ? 0 : x === 0 ? values[i - width]! : values[i - 1]!;
-    const difference = (values[i]! - before + 65536) % 65536;
-    const start = 2 * (i - at);
-    bytes[start + at] = difference % 256;
-    bytes[start + count + at] = Math.floor(difference / 256);
+  const channels = values.length / count;
+  const differences = Array.from({ length: values.length }, (_, i) => {
+    const before = i % count === 0 ? 0 : values[i - 1]!;
+    return (values[i]! - before + 65536) % 65536;
+  });
+  const bits = new Uint8Array(Math.ceil(count / 8));
+  const changed: number[] = [];
+  for (let i = 0; i < count; ++i) {
+    if (Array.from({ length: channels }, (_, c) => differences[c * count + i]!).every((d) => d === 0)) continue;
+    bits[Math.floor(i / 8)]! += 2 ** (i % 8);
+    changed.push(i);
   }
-  return deflateRawSync(bytes).toString("base64");
+  const bytes = [...bits];
+  for (let c = 0; c < channels; ++c) {
+    const ofChannel = changed.map((i) => differences[c * count + i]!);
+    bytes.push(...ofChannel.map((d) => d % 256), ...ofChannel.map((d) => Math.floor(d / 256)));
+  }
+  return deflateRawSync(Uint8Array.from(bytes)).toString("base64");
 }
 
 /** The bits of the half nearest to a value that a half can hold exactly. */

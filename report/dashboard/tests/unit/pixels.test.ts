@@ -46,7 +46,7 @@ function fakeDocument(): Record<string, unknown> {
 function makeFile(file: string, value = 7): Record<string, unknown> {
   return {
     file,
-    format: 1,
+    format: 2,
     width: 2,
     height: 1,
     planes: [{ name: "flip", kind: "unorm16", data: packValues([value, value + 1], 2, 1) }],
