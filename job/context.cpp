@@ -160,7 +160,13 @@ std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(cons
     light = std::make_shared<const lighting::EnvironmentLight>(lighting::environmentLightFromBytes(*cached));
   } else {
     light = std::make_shared<const lighting::EnvironmentLight>(lighting::makeEnvironmentLight(environment, options));
-    m_cache.store(key, lighting::toBytes(*light));
+    if (m_cache.enabled()) { // tens of megabytes: while others read the light
+      const auto stored = base::Background<bool>::begin(
+          [cache = m_cache, key, light] { return cache.store(key, lighting::toBytes(*light)); });
+      if (base::threadCount() == 1) stored.wait();
+      std::erase_if(m_lights->stores, [](const auto& each) { return each.isIdle(); });
+      m_lights->stores.push_back(stored);
+    }
   }
   m_lights->latest.emplace_front(key, light);
   if (m_lights->latest.size() > kKept) m_lights->latest.pop_back();
