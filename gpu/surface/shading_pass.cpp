@@ -270,7 +270,7 @@ struct ShadingPass::Impl {
     return constants;
   }
 
-  // entries: that it is wanted for.
+  // entries: that it shades.
   vk::Pipeline pipelineFor(const MaterialClass& c, std::uint32_t entries) {
     const Permutation permutation = plan->of(c);
     const auto found =
@@ -323,10 +323,10 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
   const auto makePlanes = [&](std::size_t count) { return std::make_shared<const Buffer>(device, count * plane); };
   const auto color = makePlanes(program.leftOut == 0 ? 1 : 0), termsA = makePlanes(inA),
              termsB = makePlanes(written - inA);
-  const Buffer lists = program.listLights ? program.listLights(surface, countsOf(scene, program)) : Buffer();
+  const bool hasLists = program.listLights && runs;
+  const Buffer lists = hasLists ? program.listLights(surface, countsOf(scene, program)) : Buffer();
   if (!backdrop && !nothingBehind) nothingBehind = makeNothingBehind(device, surface.width, surface.height);
-  const std::vector<Binding> bindings =
-      surfaceBindings(surface, program.listLights ? lists : pathData, *color, *termsA, *termsB);
+  const std::vector<Binding> bindings = surfaceBindings(surface, hasLists ? lists : pathData, *color, *termsA, *termsB);
   if (!*surfaceLayout) {
     surfaceLayout = makeSetLayout(device, bindings, kCompute);
     layout = makePipelineLayout(device, std::array{*surfaceLayout, *textureLayout}, sizeof(Push), kCompute);
@@ -339,7 +339,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
     std::uint32_t firstGroup = 0;
     for (const Bin& bin : surface.bins) {
       const BinKind& kind = kinds[bin.key];
-      commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass, bin.count));
+      commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelineFor(kind.materialClass, runs ? bin.count : 0));
       commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, {set[0], (*textureSets[bin.key])[0]},
                                   {});
       commands.pushConstants<Push>(*layout, kCompute, 0,

@@ -33,27 +33,32 @@ std::vector<report::LightEffect> named(const std::map<std::size_t, double>& effe
 
 } // namespace
 
-std::optional<report::DroppedLights> measureDroppedLights(Context& context, const PreparedScene& prepared,
-                                                          SceneRenderer& renderer, const scenes::Camera& camera,
-                                                          const ViewFrames& frames, const ComparedView& compared) {
+std::optional<DroppedChoice> chooseDroppedLights(const PreparedScene& prepared, const SceneRenderer& renderer,
+                                                 std::size_t test, const std::vector<std::size_t>& materials) {
   if (renderer.seenSamples().empty()) return std::nullopt;
-  const Settings& settings = prepared.settings;
-  const scenes::Scene& scene = prepared.scene;
-  const paths::Path& path = *renderer.paths().chosen[compared.test];
-  const std::vector<scenes::Light>& lights = lightOf(prepared, path).lights;
-  const std::vector<paths::LightUse> uses = path.countLightUse(
-      scene, lights, settings.options, samplesInQuestion(scene, compared.materials, renderer.seenSamples()));
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < uses.size(); ++i)
-    if (!uses[i].droppedBy.empty()) order.push_back(i);
-  if (order.empty()) return std::nullopt;
-  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return uses[i].effect; });
+  const paths::Path& path = *renderer.paths().chosen[test];
+  DroppedChoice choice;
+  choice.uses = path.countLightUse(prepared.scene, lightOf(prepared, path).lights, prepared.settings.options,
+                                   samplesInQuestion(prepared.scene, materials, renderer.seenSamples()));
+  for (std::size_t i = 0; i < choice.uses.size(); ++i)
+    if (!choice.uses[i].droppedBy.empty()) choice.order.push_back(i);
+  if (choice.order.empty()) return std::nullopt;
+  std::ranges::stable_sort(choice.order, std::greater<>(), [&](std::size_t i) { return choice.uses[i].effect; });
+  choice.measured = std::min(choice.order.size(), static_cast<std::size_t>(prepared.settings.droppedLights));
+  return choice;
+}
 
+report::DroppedLights measureDroppedLights(Context& context, const PreparedScene& prepared, SceneRenderer& renderer,
+                                           const scenes::Camera& camera, const ViewFrames& frames,
+                                           const ComparedView& compared, DroppedChoice choice) {
+  const scenes::Scene& scene = prepared.scene;
+  const std::vector<scenes::Light>& lights = lightOf(prepared, *renderer.paths().chosen[compared.test]).lights;
+  const std::vector<paths::LightUse>& uses = choice.uses;
+  std::vector<std::size_t>& order = choice.order;
   const std::vector<std::string> names = scenes::lightNames(lights);
   report::DroppedLights dropped{.lights = lights.size(), .measured = {}, .notMeasured = {}};
-  const std::size_t measured = std::min(order.size(), static_cast<std::size_t>(settings.droppedLights));
-  for (std::size_t i = measured; i < order.size(); ++i) dropped.notMeasured.push_back(names[order[i]]);
-  order.resize(measured);
+  for (std::size_t i = choice.measured; i < order.size(); ++i) dropped.notMeasured.push_back(names[order[i]]);
+  order.resize(choice.measured);
   // Their places among the first path's: the other has the same but for a sun of the environment, which it keeps.
   for ([[maybe_unused]] const std::size_t i : order)
     assert(i < prepared.lights.size() && prepared.lights[i].name == lights[i].name);
@@ -67,8 +72,8 @@ std::optional<report::DroppedLights> measureDroppedLights(Context& context, cons
          .kind = scenes::nameOf(lights[i].kind),
          .keptBy = uses[i].keptBy,
          .droppedBy = uses[i].droppedBy.size(),
-         .materials =
-             named(swapEffects(context, materials, frames, compared.reference, color, settings.exposureEv), scene)});
+         .materials = named(
+             swapEffects(context, materials, frames, compared.reference, color, prepared.settings.exposureEv), scene)});
   });
   report::rankByEffect(dropped);
   return dropped;

@@ -252,11 +252,25 @@ private:
       if (!isThere(view.test) || !isThere(view.reference)) return attributed.push_back({});
       const scenes::Camera camera = cameraOf(request, v, prepared);
       m_context.requireGoesOn();
+      std::optional<DroppedChoice> droppedLights;
+      base::Background<bool> compiled; // for these lights, while the pictures are compared
+      if (isOurs)
+        droppedLights =
+            chooseDroppedLights(prepared, renderer, view.test,
+                                chooseMaterials(prepared.scene, request.settings.materials, frames.coverage.size()));
+      if (droppedLights)
+        compiled = base::Background<bool>::begin([&] {
+          renderer.compileWithout(droppedLights->measured, camera);
+          return true;
+        });
       ComparedView compared = compareOne(index, view, prepared, renderer, frames, wish);
       comparedPixels += compared.view.whole.pixels;
       compared.view.conditions = conditionsOfRow(request, view, judges.conditions);
       if (isOurs) {
-        compared.view.droppedLights = measureDroppedLights(m_context, prepared, renderer, camera, frames, compared);
+        if (compiled.isValid()) compiled.get();
+        if (droppedLights)
+          compared.view.droppedLights =
+              measureDroppedLights(m_context, prepared, renderer, camera, frames, compared, std::move(*droppedLights));
         measureDroppedLobes(m_context, prepared, renderer, camera, frames, compared);
       }
       if (isKept) plainViews.push_back(compared.view);

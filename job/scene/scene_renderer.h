@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "job/scene/scene_on_device.h"
@@ -44,6 +45,9 @@ public:
   // seenSamples.
   void renderWithout(std::span<const std::size_t> lights, const scenes::Camera& camera,
                      const std::function<void(std::size_t, const base::Image&)>& take);
+
+  // Compiles what renderWithout needs for so many lights and has no shaders for yet.
+  void compileWithout(std::size_t lights, const scenes::Camera& camera);
 
   // That view again, by the first path without these lobes (of gpu::kFeatureLobes). Only where it
   // hidesLobes.
@@ -114,6 +118,8 @@ private:
   void layAgain(const scenes::Camera& camera, Work& work, const Composition& composition);
   // Whether shading so many lights once for all pictures saves more than compiling the shaders for it takes.
   bool paysAtOnce(std::size_t lights) const;
+  // The first path's, for so many lights, and how many of them it leaves out at once.
+  std::pair<paths::Renderer&, std::size_t> rendererWithout(std::size_t lights);
   gpu::FrameBuilder makeFrame() const; // without terms
   void countSurface(const gpu::Surface& surface, Work& work) const;
 

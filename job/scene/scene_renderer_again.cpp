@@ -79,11 +79,9 @@ bool SceneRenderer::paysAtOnce(std::size_t lights) const {
          static_cast<double>(shaders) * gpu::kPermutationCostMs * 1e6;
 }
 
-void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const scenes::Camera& camera,
-                                  const std::function<void(std::size_t, const base::Image&)>& take) {
-  assert(m_mayDropLights && !lights.empty());
+std::pair<paths::Renderer&, std::size_t> SceneRenderer::rendererWithout(std::size_t lights) {
   PathState& first = m_paths.front();
-  const bool atOnce = paysAtOnce(lights.size());
+  const bool atOnce = paysAtOnce(lights);
   std::unique_ptr<paths::Renderer>& renderer = atOnce ? first.withoutSome : first.withoutOne;
   const std::size_t most =
       atOnce ? std::min<std::size_t>(static_cast<std::size_t>(m_settings.droppedLights), gpu::kMaxLeftOut) : 1;
@@ -93,14 +91,30 @@ void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const sce
         {.leftOut = atOnce ? most : 0, .plan = first.plain->pass().plan(), .planWritesTerms = m_shadesTerms && !atOnce},
         m_views);
   first.giveBackdrop(*renderer);
+  return {*renderer, most};
+}
+
+void SceneRenderer::compileWithout(std::size_t lights, const scenes::Camera& camera) {
+  if (!paysAtOnce(lights)) return; // by the shaders of the picture with all lights
+  const paths::Renderer& renderer = rendererWithout(lights).first;
+  for (const KeptLayer& layer : m_kept) renderer.pass().compile(layer.surface, camera);
+}
+
+void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const scenes::Camera& camera,
+                                  const std::function<void(std::size_t, const base::Image&)>& take) {
+  assert(m_mayDropLights && !lights.empty());
+  const std::pair<paths::Renderer&, std::size_t> without = rendererWithout(lights.size());
+  paths::Renderer& renderer = without.first;
+  const std::size_t most = without.second;
+  const bool atOnce = most > 1; // one light alone does not pay
   for (std::size_t begin = 0; begin < lights.size(); begin += most) {
     const std::size_t count = std::min(most, lights.size() - begin);
-    renderer->leaveOut(lights.subspan(begin, count));
+    renderer.leaveOut(lights.subspan(begin, count));
     std::vector<gpu::FrameBuilder> frames;
     for (std::size_t k = 0; k < count; ++k) frames.push_back(makeFrame());
     const auto lay = [&](const KeptLayer& layer) {
       const base::Stopwatch watch(&m_context.timings(), "shade without a light");
-      gpu::ShadedSurface shaded = renderer->shade(layer.surface, camera);
+      gpu::ShadedSurface shaded = renderer.shade(layer.surface, camera);
       for (std::size_t k = 0; k < count; ++k) {
         if (atOnce) shaded.color = std::move(shaded.terms[k]);
         frames[k].lay(layer.surface, shaded);

@@ -65,18 +65,6 @@ std::vector<std::string> materialNotes(const scenes::Material& m, const paths::P
   return notes;
 }
 
-// The materials that the report is about: their places in the scene.
-std::vector<std::size_t> chooseMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs,
-                                         std::size_t count) {
-  std::vector<std::size_t> chosen;
-  for (std::size_t m = 0; m < count; ++m)
-    if (globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
-          return base::matchesGlob(glob, scene.materials[m].name);
-        }))
-      chosen.push_back(m);
-  return chosen;
-}
-
 // What is measured where: the whole image, and each chosen material.
 struct Subject {
   base::PixelList whole;
@@ -223,6 +211,17 @@ std::vector<report::TermFigures> termFigures(const ViewFrames& frames, std::size
   for (std::size_t t = 0; t < first.terms.size(); ++t)
     result.push_back({std::string(shading::kTermNames[t]), mean(first.terms[t]), mean(other.terms[t])});
   return result;
+}
+
+std::vector<std::size_t> chooseMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs,
+                                         std::size_t count) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t m = 0; m < count; ++m)
+    if (globs.empty() || std::any_of(globs.begin(), globs.end(), [&](const std::string& glob) {
+          return base::matchesGlob(glob, scene.materials[m].name);
+        }))
+      chosen.push_back(m);
+  return chosen;
 }
 
 ComparedView compareView(Context& context, const scenes::Scene& scene, const ViewFrames& frames,

@@ -28,6 +28,10 @@ struct ViewComparisonRequest {
   std::string imagePrefix{}; // unique to scene and view, safe in file names
 };
 
+// The materials that the report is about, of the first `count`: their places in the scene. globs: of names; none: all.
+std::vector<std::size_t> chooseMaterials(const scenes::Scene& scene, const std::vector<std::string>& globs,
+                                         std::size_t count);
+
 struct ComparedView {
   report::ViewResult view; // not judged
   std::vector<EncodedPicture> pictures;
