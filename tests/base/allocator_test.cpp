@@ -1,6 +1,10 @@
 // The allocator of programs (base/allocator.cpp), which is linked to this binary as to them.
+#include "base/allocator.h"
+
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -33,10 +37,20 @@ void takeAndFree(std::size_t bytes) {
 }
 
 TEST(Allocator, HasTheSettingsOfThePrograms) {
-  EXPECT_STREQ(option<const char*>("opt.thp"), "default") << "pages of 2 MiB are the system's choice";
+  EXPECT_STREQ(option<const char*>("opt.thp"), "default") << "the program asks for large pages itself";
   EXPECT_EQ(option<std::ptrdiff_t>("opt.dirty_decay_ms"), -1);
   EXPECT_EQ(option<std::size_t>("opt.oversize_threshold"), kMiB);
   EXPECT_EQ(option<std::size_t>("opt.lg_extent_max_active_fit"), 12u);
+}
+
+TEST(Allocator, AsksForLargePagesWhereMostSmallOnesAreSlow) {
+  std::vector<double> touches(64, 1e-6);
+  std::fill_n(touches.begin(), 31, 1e-3); // a busy machine
+  EXPECT_FALSE(areLargePagesFaster(touches));
+  touches.assign(64, 7e-6);
+  std::fill_n(touches.begin(), 31, 1e-7);
+  EXPECT_TRUE(areLargePagesFaster(touches));
+  EXPECT_FALSE(areLargePagesFaster(std::span(touches).first(1))) << "the only one is fast";
 }
 
 TEST(Allocator, WhatOneThreadFreedServesAnother) {

@@ -142,6 +142,29 @@ TEST_F(LightCullingTest, ALightThatIsLeftOutIsTheOneAskedForAndComesBack) {
   }
 }
 
+// Compiling shades nothing, so it lists no lights and counts no entries.
+TEST_F(LightCullingTest, CompilingMakesNoListsAndChangesNoPicture) {
+  const gpu::SceneBuffers buffers(device(), m_field.scene);
+  const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
+  const auto surfaces = pass.render(m_field.camera, {0, kCulledSide}, glm::vec2(0.5f));
+  const auto entriesOf = [](const Renderer& renderer) {
+    std::uint64_t entries = 0;
+    for (const gpu::CompiledPermutation& each : renderer.pass().compiled()) entries += each.entries;
+    return entries;
+  };
+  const Inputs inputs{.lights = makeLights(70, 3), .terms = true};
+  const Renderer renderer(device(), buffers, pass.binKinds(), inputs, m_options),
+      other(device(), buffers, pass.binKinds(), inputs, m_options);
+  renderer.pass().compile(surfaces.front(), m_field.camera);
+  EXPECT_FALSE(renderer.pass().compiled().empty());
+  EXPECT_EQ(entriesOf(renderer), 0u);
+  EXPECT_EQ(renderer.work().lightLists, 0u);
+  expectSame(renderer.shade(surfaces.front(), m_field.camera), other.shade(surfaces.front(), m_field.camera));
+  EXPECT_EQ(entriesOf(renderer), surfaces.front().size());
+  EXPECT_GT(renderer.work().lightLists, 0u);
+  EXPECT_EQ(renderer.work().lightLists, other.work().lightLists);
+}
+
 TEST_F(LightCullingTest, ListsWhatReachesAPixelAndLittleElse) {
   const gpu::SceneBuffers buffers(device(), m_field.scene);
   const gpu::SurfacePass pass(device(), buffers, kCulledSide, kCulledSide);
