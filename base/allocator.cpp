@@ -34,11 +34,15 @@ namespace {
 
 constexpr std::size_t kRegionBytes = std::size_t{1} << 30, kPage = 4096;
 
-// For the first 64 pages of a region that nothing has touched.
-std::array<double, 64> touchPages(std::byte* region) {
+// A region may begin inside a page.
+void* firstPage(void* region) {
+  return reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(region) + kPage - 1) / kPage * kPage);
+}
+
+// In seconds, for 64 pages of a region that nothing has touched.
+std::array<double, 64> touchPages(void* region) {
   using Clock = std::chrono::steady_clock;
-  auto* page =
-      reinterpret_cast<volatile std::byte*>((reinterpret_cast<std::uintptr_t>(region) + kPage - 1) / kPage * kPage);
+  auto* page = static_cast<volatile std::byte*>(firstPage(region));
   std::array<double, 64> seconds{};
   for (double& each : seconds) {
     const Clock::time_point begin = Clock::now();
@@ -57,11 +61,8 @@ std::array<double, 64> touchPages(std::byte* region) {
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return;
   void* region = mallocx(kRegionBytes, 0);
   if (!region) return;
-  std::array<double, 64> touches = touchPages(static_cast<std::byte*>(region));
-  if (areLargePagesFaster(touches)) {
-    const auto begin = reinterpret_cast<std::uintptr_t>(region) / kPage * kPage; // it may begin inside a page
-    madvise(reinterpret_cast<void*>(begin), kRegionBytes, MADV_HUGEPAGE);
-  }
+  std::array<double, 64> touches = touchPages(region);
+  if (areLargePagesFaster(touches)) madvise(firstPage(region), kRegionBytes - kPage, MADV_HUGEPAGE);
   unsigned arena = 0;
   std::size_t size = sizeof(arena);
   const bool isFound = mallctl("arenas.lookup", &arena, &size, &region, sizeof(region)) == 0;

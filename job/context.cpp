@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -160,10 +161,11 @@ std::shared_ptr<const lighting::EnvironmentLight> Context::environmentLight(cons
     light = std::make_shared<const lighting::EnvironmentLight>(lighting::environmentLightFromBytes(*cached));
   } else {
     light = std::make_shared<const lighting::EnvironmentLight>(lighting::makeEnvironmentLight(environment, options));
-    if (m_cache.enabled()) { // tens of megabytes: while others read the light
-      const auto stored = base::Background<bool>::begin(
-          [cache = m_cache, key, light] { return cache.store(key, lighting::toBytes(*light)); });
-      if (base::threadCount() == 1) stored.wait();
+    if (m_cache.enabled()) { // tens of megabytes are written while others read the light
+      const auto stored = base::Background<bool>::begin([cache = m_cache, key, light]() mutable {
+        return cache.store(key, lighting::toBytes(*std::exchange(light, {})));
+      });
+      if (stored.isIdle()) stored.wait(); // one thread: now
       std::erase_if(m_lights->stores, [](const auto& each) { return each.isIdle(); });
       m_lights->stores.push_back(stored);
     }

@@ -103,7 +103,7 @@ private:
     std::shared_ptr<const LoadedEnvironment> loaded;
     std::mutex mutex;
     std::deque<std::pair<std::string, std::shared_ptr<const lighting::EnvironmentLight>>> latest; // the first is
-    std::vector<base::Background<bool>> stores; // the run ends after them
+    std::vector<base::Background<bool>> stores; // into the cache; the destructor waits for them
   };
   std::shared_ptr<Lights> m_lights = std::make_shared<Lights>();
   std::shared_ptr<Context> m_ofNumerics; // in the background

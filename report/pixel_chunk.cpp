@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <utility>
 
 #include <fmt/format.h>
 #include <libdeflate.h>
@@ -58,7 +59,7 @@ void storeRow(const float* row, std::vector<std::uint16_t>& out, PlaneKind kind)
 struct Changes {
   std::vector<std::byte> where;               // a bit a pixel, from the lowest of each byte on
   base::RawVector<std::uint16_t> differences; // `channels` of each, modulo 65536
-  std::size_t count = 0;                      // pixels; what is behind them is not set
+  std::size_t count = 0;                      // pixels that differ; the differences behind theirs mean nothing
 };
 
 template <std::size_t channels> Changes findChanges(const base::Image& image, PlaneKind kind) {
@@ -69,7 +70,7 @@ template <std::size_t channels> Changes findChanges(const base::Image& image, Pl
   for (std::size_t pixel = 0; pixel < pixels;) {
     storeRow(image.pixels.data() + pixel * channels, row, kind);
     for (std::size_t x = 0; x < width; ++x, ++pixel) {
-      std::uint16_t* to = changes.differences.data() + channels * changes.count; // the next change overwrites none
+      std::uint16_t* to = changes.differences.data() + channels * changes.count; // kept only if the pixel differs
       bool differs = false;
       for (std::size_t c = 0; c < channels; ++c) {
         const std::uint16_t value = row[x * channels + c];

@@ -15,7 +15,7 @@ namespace parity::gpu {
 
 class HostBuffer;
 
-// Owns instance, device and queue. Not thread-safe: one thread submits.
+// Owns instance, device and queue. Not thread-safe: one thread at a time.
 class Device {
 public:
   // Throws Error (exit 4) with the reasons of every refusal where no device can be taken, or where validation is asked

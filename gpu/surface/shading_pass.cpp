@@ -319,7 +319,7 @@ ShadedSurface ShadingPass::Impl::shade(const Surface& surface, const scenes::Cam
                               : shadesLobes        ? program.planesOfLobes
                                                    : shading::kBaseTermCount;
   const std::size_t inA = std::min<std::size_t>(written, kTermsInA);
-  const vk::DeviceSize plane = n * sizeof(glm::vec4);
+  const vk::DeviceSize plane = (runs ? n : 1) * sizeof(glm::vec4);
   const auto makePlanes = [&](std::size_t count) { return std::make_shared<const Buffer>(device, count * plane); };
   const auto color = makePlanes(program.leftOut == 0 ? 1 : 0), termsA = makePlanes(inA),
              termsB = makePlanes(written - inA);

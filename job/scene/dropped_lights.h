@@ -8,6 +8,7 @@
 #include "job/scene/prepared_scene.h"
 #include "job/scene/scene_renderer.h"
 #include "job/view/view_comparison.h"
+#include "paths/path.h"
 #include "report/dropped_lights.h"
 
 namespace parity::job {
@@ -25,8 +26,8 @@ struct DroppedChoice {
 std::optional<DroppedChoice> chooseDroppedLights(const PreparedScene& prepared, const SceneRenderer& renderer,
                                                  std::size_t test, const std::vector<std::size_t>& materials);
 
-// Of that view, by this camera, once it is compared. A light goes from the whole picture, also where the path keeps it,
-// but only materials of objects that drop it are measured.
+// Of the view that was rendered last, by this camera, once it is compared. A light goes from the whole picture, also
+// where the path keeps it, but only materials of objects that drop it are measured.
 report::DroppedLights measureDroppedLights(Context& context, const PreparedScene& prepared, SceneRenderer& renderer,
                                            const scenes::Camera& camera, const ViewFrames& frames,
                                            const ComparedView& compared, DroppedChoice choice);

@@ -253,7 +253,7 @@ private:
       const scenes::Camera camera = cameraOf(request, v, prepared);
       m_context.requireGoesOn();
       std::optional<DroppedChoice> droppedLights;
-      base::Background<bool> compiled; // for these lights, while the pictures are compared
+      base::Background<bool> compiled; // the shaders of pictures without these lights; ends before what it refers to
       if (isOurs)
         droppedLights =
             chooseDroppedLights(prepared, renderer, view.test,

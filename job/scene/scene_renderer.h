@@ -46,7 +46,8 @@ public:
   void renderWithout(std::span<const std::size_t> lights, const scenes::Camera& camera,
                      const std::function<void(std::size_t, const base::Image&)>& take);
 
-  // Compiles what renderWithout needs for so many lights and has no shaders for yet.
+  // Compiles the shaders that renderWithout will need for so many lights; for a picture in several parts none. Another
+  // thread may call it while nothing else uses the device.
   void compileWithout(std::size_t lights, const scenes::Camera& camera);
 
   // That view again, by the first path without these lobes (of gpu::kFeatureLobes). Only where it

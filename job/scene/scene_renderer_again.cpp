@@ -80,6 +80,7 @@ bool SceneRenderer::paysAtOnce(std::size_t lights) const {
 }
 
 std::pair<paths::Renderer&, std::size_t> SceneRenderer::rendererWithout(std::size_t lights) {
+  assert(lights > 0);
   PathState& first = m_paths.front();
   const bool atOnce = paysAtOnce(lights);
   std::unique_ptr<paths::Renderer>& renderer = atOnce ? first.withoutSome : first.withoutOne;
@@ -95,7 +96,7 @@ std::pair<paths::Renderer&, std::size_t> SceneRenderer::rendererWithout(std::siz
 }
 
 void SceneRenderer::compileWithout(std::size_t lights, const scenes::Camera& camera) {
-  if (!paysAtOnce(lights)) return; // by the shaders of the picture with all lights
+  if (m_kept.empty() || !paysAtOnce(lights)) return; // one by one: by the shaders of the picture with all lights
   const paths::Renderer& renderer = rendererWithout(lights).first;
   for (const KeptLayer& layer : m_kept) renderer.pass().compile(layer.surface, camera);
 }
@@ -106,7 +107,7 @@ void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const sce
   const std::pair<paths::Renderer&, std::size_t> without = rendererWithout(lights.size());
   paths::Renderer& renderer = without.first;
   const std::size_t most = without.second;
-  const bool atOnce = most > 1; // one light alone does not pay
+  const bool atOnce = most > 1; // paysAtOnce is false for one light
   for (std::size_t begin = 0; begin < lights.size(); begin += most) {
     const std::size_t count = std::min(most, lights.size() - begin);
     renderer.leaveOut(lights.subspan(begin, count));

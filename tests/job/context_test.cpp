@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/image/image_io.h"
+#include "base/parallel.h"
 #include "base/temp_folder.h"
 #include "job/context.h"
 
@@ -32,6 +33,36 @@ TEST(ContextEnvironment, IsReadAgainWhenItsFileHasChanged) {
 TEST(ContextEnvironment, ThatIsNotThereIsAnErrorEachTime) {
   Context context(Settings{});
   for (int time = 0; time < 2; ++time) EXPECT_THROW(context.environment("no-such.hdr", 0), base::Error);
+}
+
+// The cache keeps the levels while the run goes on; once the run has ended, they are there.
+TEST(ContextEnvironment, LevelsAreInTheCacheOnceTheRunHasEnded) {
+  for (const int threads : {1, 2}) {
+    const base::ThreadLimit limit(threads);
+    const base::TempFolder folder;
+    Settings settings;
+    settings.cacheFolder = (folder / "cache").string();
+    scenes::Environment sky;
+    sky.name = "sky";
+    sky.radiance = base::Image(8, 4, 3, 0.5f);
+    const lighting::PrefilterOptions options{.faceSize = 16, .sampleCount = 4};
+    const auto keptOf = [&](const Context& context) {
+      for (const base::CacheKind& kind : context.cache().describe().kinds)
+        if (kind.name == "environment") return kind.entries;
+      return std::size_t{0};
+    };
+    std::vector<std::byte> made;
+    {
+      Context context(settings);
+      made = lighting::toBytes(*context.environmentLight(sky, options));
+      if (threads == 1) {
+        EXPECT_EQ(keptOf(context), 1u) << "one thread stores at once";
+      }
+    }
+    Context later(settings);
+    EXPECT_EQ(keptOf(later), 1u) << threads;
+    EXPECT_EQ(lighting::toBytes(*later.environmentLight(sky, options)), made) << threads;
+  }
 }
 
 } // namespace

@@ -70,7 +70,7 @@ TEST(DisplayTable, IsAFileWithItsRange) {
   const std::vector<std::byte> file = encodeDisplayTable(aces);
   const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
   EXPECT_TRUE(
-      text.starts_with("parityChunk({\"file\":\"pixels/display.js\",\"format\":1,\"width\":4225,\"height\":65,"));
+      text.starts_with("parityChunk({\"file\":\"pixels/display.js\",\"format\":2,\"width\":4225,\"height\":65,"));
   EXPECT_TRUE(text.ends_with("],\"minLog2\":-12,\"maxLog2\":10});\n"));
   EXPECT_TRUE(needsDisplayTable(aces));
   for (const char* formula : {"sRGB", "raw"}) EXPECT_FALSE(needsDisplayTable(base::DisplayTransform(formula)));

@@ -1,4 +1,5 @@
-// One pixel file: planes of 16-bit values, each base64 of a DEFLATE stream: which pixels differ from the one before, and by how much.
+// One pixel file: planes of 16-bit values. Each is base64 of a DEFLATE stream, which says which pixels differ from the one
+// before, and by how much (report/pixel_chunk.h).
 import { reasonOf } from "./reason";
 
 export type PlaneKind = "rgb16f" | "unorm16" | "uint16";

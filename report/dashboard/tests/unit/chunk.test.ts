@@ -38,6 +38,11 @@ describe("pixel files", () => {
     expect([...(await decodePlane(checkChunk(value, "pixels/a.js"), "p")).values]).toEqual([10, 10, 9, 9, 9, 300]);
   });
 
+  it("stores a pixel of three channels where one of them differs", async () => {
+    const values = Array.from({ length: 3 * kWidth * kHeight }, (_, i) => (i === kWidth * kHeight + 9 ? 8 : 7));
+    expect(await decode({ name: "p", kind: "rgb16f", data: packValues(values, kWidth, kHeight) })).toEqual(values);
+  });
+
   it("refuses too few and too many values, and what is no stream", async () => {
     const values = random(kWidth * kHeight);
     const short = packValues(values.slice(kWidth), kWidth, kHeight - 1);
@@ -49,6 +54,11 @@ describe("pixel files", () => {
     const { deflateRawSync } = await import("node:zlib");
     const none = deflateRawSync(Uint8Array.from([0, 0, 0, 0])).toString("base64"); // less than a bit for each
     await expect(decode({ name: "p", kind: "uint16", data: none })).rejects.toThrow("fewer values");
+    // Bits that call for one value more, and for one less, than follow.
+    for (const [bits, words] of [[3, "fewer values"], [0, "more values"]] as const) {
+      const data = deflateRawSync(Uint8Array.from([bits, 0, 0, 0, 0, 9, 0])).toString("base64");
+      await expect(decode({ name: "p", kind: "uint16", data })).rejects.toThrow(words);
+    }
     for (const data of [cut, "!!!!", ""])
       await expect(decode({ name: "p", kind: "uint16", data })).rejects.toThrow("pixels/a.js is damaged: the plane p");
   });
