@@ -45,7 +45,7 @@ TEST(ContextEnvironment, LevelsAreInTheCacheOnceTheRunHasEnded) {
     scenes::Environment sky;
     sky.name = "sky";
     sky.radiance = base::Image(8, 4, 3, 0.5f);
-    const lighting::PrefilterOptions options{.faceSize = 16, .sampleCount = 4};
+    const lighting::PrefilterOptions options{.faceSize = lighting::kMinFaceSize, .sampleCount = 4};
     const auto keptOf = [&](const Context& context) {
       for (const base::CacheKind& kind : context.cache().describe().kinds)
         if (kind.name == "environment") return kind.entries;
