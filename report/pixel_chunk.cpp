@@ -15,6 +15,7 @@
 
 #include "base/raw_vector.h"
 #include "report/base64.h"
+#include "report/pixel_row.h"
 
 namespace parity::report {
 namespace {
@@ -25,34 +26,6 @@ constexpr int kLevel = 1; // of 512^2 RGB 10 ms; 6 takes up to twice as long for
 const char* nameOf(PlaneKind kind) {
   constexpr const char* kNames[] = {"rgb16f", "unorm16", "uint16"};
   return kNames[static_cast<std::size_t>(kind)];
-}
-
-// The nearest half, ties to even, without branches, so that rows are converted as vectors (F. Giesen, "float->half
-// variants", float_to_half_fast3_rtne, 2012). Below 2^-14 the float adder rounds: at 0.5 its last bit is worth 2^-24.
-std::uint16_t toHalf(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  const std::uint32_t sign = bits >> 16 & 0x8000u, magnitude = bits & 0x7fffffffu;
-  const float limited = std::min(std::bit_cast<float>(magnitude), 65504.f);
-  const auto limitedBits = std::bit_cast<std::uint32_t>(limited);
-  const std::uint32_t normal = (limitedBits + 0xfffu + (limitedBits >> 13 & 1u) - (112u << 23)) >> 13;
-  const std::uint32_t denormal = std::bit_cast<std::uint32_t>(limited + 0.5f) - std::bit_cast<std::uint32_t>(0.5f);
-  std::uint32_t half = limitedBits < (113u << 23) ? denormal : normal;
-  half = (magnitude == 0x7f800000u ? 0x7c00u : half) | sign;
-  return static_cast<std::uint16_t>(magnitude > 0x7f800000u ? 0x7e00u : half); // a NaN, whatever its sign and payload
-}
-
-std::uint16_t toWhole(float value) { // rounds; a NaN is the largest
-  return value < 65535.f ? static_cast<std::uint16_t>(std::max(value, 0.f) + 0.5f) : std::uint16_t{65535};
-}
-
-std::uint16_t toShare(float value) { return toWhole(value * 65535.f); }
-
-void storeRow(const float* row, std::vector<std::uint16_t>& out, PlaneKind kind) {
-  const float* const end = row + out.size();
-  if (kind == PlaneKind::rgb16f)
-    std::transform(row, end, out.begin(), toHalf);
-  else
-    std::transform(row, end, out.begin(), kind == PlaneKind::unorm16 ? toShare : toWhole);
 }
 
 // The pixels that differ from the one before.
@@ -68,7 +41,7 @@ template <std::size_t channels> Changes findChanges(const base::Image& image, Pl
   std::vector<std::uint16_t> row(width * channels);
   std::array<std::uint16_t, channels> before{};
   for (std::size_t pixel = 0; pixel < pixels;) {
-    storeRow(image.pixels.data() + pixel * channels, row, kind);
+    packRow({image.pixels.data() + pixel * channels, row.size()}, kind, row);
     for (std::size_t x = 0; x < width; ++x, ++pixel) {
       std::uint16_t* to = changes.differences.data() + channels * changes.count; // kept only if the pixel differs
       bool differs = false;

@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/simd_level.h"
 #include "report/base64.h"
+#include "report/pixel_row.h"
 #include "shading/half.h"
 
 namespace parity::report {
@@ -165,6 +167,29 @@ TEST(PixelChunk, StoresThePixelsThatDifferFromTheOneBefore) {
   const base::Image black(5, 3, 1, 0.f);
   EXPECT_EQ(streamSize(black, PlaneKind::unorm16), 2u);
   EXPECT_EQ(roundTrip(black, PlaneKind::unorm16), std::vector<std::uint16_t>(15, 0));
+}
+
+// Rows of every length up to several vectors, so that each instruction set also meets what is left of one.
+TEST(PixelChunk, EveryInstructionSetGivesTheSameBits) {
+  struct BestAgain {
+    ~BestAgain() { base::useSimdLevel(""); }
+  } const again;
+  std::mt19937 engine(5);
+  std::vector<float> values(131);
+  for (float& value : values) value = std::bit_cast<float>(static_cast<std::uint32_t>(engine()));
+  values[3] = std::nanf(""), values[70] = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < values.size(); i += 3) values[i] = static_cast<float>(engine()) * 0x1p-32f;
+  for (const PlaneKind kind : {PlaneKind::rgb16f, PlaneKind::unorm16, PlaneKind::uint16})
+    for (std::size_t count = 0; count <= values.size(); ++count) {
+      std::vector<std::uint16_t> expected;
+      for (const std::string& level : base::simdLevels()) {
+        base::useSimdLevel(level);
+        std::vector<std::uint16_t> packed(count);
+        packRow(std::span(values).first(count), kind, packed);
+        if (expected.empty()) expected = packed;
+        ASSERT_EQ(packed, expected) << level << " " << count;
+      }
+    }
 }
 
 TEST(PixelChunk, SharesAndNumbersAreSixteenBits) {
