@@ -63,10 +63,10 @@ std::vector<std::uint16_t> decode(const std::string& base64, int width, int heig
   for (std::size_t c = 0; c < all; ++c) {
     const std::uint8_t* low = bytes.data() + bits + 2 * changed.size() * c;
     std::size_t next = 0;
-    int value = 0;
+    unsigned value = 0;
     for (std::size_t i = 0; i < count; ++i) {
       if (next < changed.size() && changed[next] == i) {
-        value += low[next] + 256 * low[changed.size() + next];
+        value += low[next] + 256u * low[changed.size() + next];
         ++next;
       }
       values[count * c + i] = static_cast<std::uint16_t>(value);
