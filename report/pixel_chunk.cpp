@@ -1,9 +1,7 @@
 // Planes of 16-bit values: the pixels that differ from the one before, bytes apart, DEFLATE by libdeflate, base64.
 #include "report/pixel_chunk.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <memory>
@@ -21,7 +19,7 @@ namespace parity::report {
 namespace {
 
 constexpr std::string_view kHead = "parityChunk({\"file\":\"", kEnd = "});\n";
-constexpr int kLevel = 1; // of 512^2 RGB 10 ms; 6 takes up to twice as long for 2 to 5 % fewer bytes
+constexpr int kLevel = 1; // 4 ns a byte; 6 takes 2.6 times as long for 5 % fewer bytes
 
 const char* nameOf(PlaneKind kind) {
   constexpr const char* kNames[] = {"rgb16f", "unorm16", "uint16"};

@@ -1,6 +1,5 @@
 #include "report/pixel_row.h"
 
-#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <cstddef>
