@@ -8,19 +8,21 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
 #include <jemalloc/jemalloc.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 
-// jemalloc reads this before the first allocation; the environment variable MALLOC_CONF comes after it.
+// Settings, with pages of the system's usual size.
 //   dirty_decay_ms:-1         keeps what was freed for the next block
 //   oversize_threshold        blocks of 1 MiB and more share one arena: what one thread freed serves another
 //   lg_extent_max_active_fit  a freed block also serves a request of a 4096th of its size. By default that is a 64th,
 //                             and a run of several scenes takes up to 1.2 times the memory
-const char* malloc_conf = "dirty_decay_ms:-1,oversize_threshold:1048576,lg_extent_max_active_fit:12";
+#define PARITY_SETTINGS "dirty_decay_ms:-1,oversize_threshold:1048576,lg_extent_max_active_fit:12"
+
+// jemalloc reads this at the first allocation; the environment variable MALLOC_CONF comes after it.
+const char* malloc_conf = PARITY_SETTINGS;
 
 namespace parity::base {
 
@@ -32,26 +34,32 @@ bool areLargePagesFaster(std::span<double> touches) {
 
 namespace {
 
-constexpr std::size_t kRegionBytes = std::size_t{1} << 30, kPage = 4096;
+constexpr std::size_t kRegionBytes = std::size_t{1} << 30, kPage = 4096, kTouches = 64;
 
-// A region may begin inside a page.
-void* firstPage(void* region) {
-  return reinterpret_cast<void*>((reinterpret_cast<std::uintptr_t>(region) + kPage - 1) / kPage * kPage);
-}
-
-// In seconds, for 64 pages of a region that nothing has touched.
-std::array<double, 64> touchPages(void* region) {
-  using Clock = std::chrono::steady_clock;
-  auto* page = static_cast<volatile std::byte*>(firstPage(region));
-  std::array<double, 64> seconds{};
+// In seconds, for pages that nothing has touched; zeros where the system has none. It allocates nothing.
+std::array<double, kTouches> touchPages() {
+  std::array<double, kTouches> seconds{};
+  void* pages = mmap(nullptr, kTouches * kPage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (pages == MAP_FAILED) return seconds;
+  auto* page = static_cast<volatile std::byte*>(pages);
   for (double& each : seconds) {
-    const Clock::time_point begin = Clock::now();
+    const auto begin = std::chrono::steady_clock::now();
     *page = std::byte{1};
-    each = std::chrono::duration<double>(Clock::now() - begin).count();
+    each = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     page += kPage;
   }
+  munmap(pages, kTouches * kPage);
   return seconds;
 }
+
+// Asks for large pages for all memory, also of the driver, where they are the faster ones.
+void chooseSizeOfPages() {
+  std::array<double, kTouches> touches = touchPages();
+  if (areLargePagesFaster(touches)) malloc_conf = PARITY_SETTINGS ",thp:always";
+}
+
+// The dynamic linker calls this before the constructors of all libraries, so before jemalloc's, too.
+[[gnu::section(".preinit_array"), gnu::used]] void (*beforeConstructors)() = chooseSizeOfPages;
 
 // Gives the arena of large blocks one region of addresses, no memory. Without it regions begin small and double. Freed
 // neighbours in two regions are not joined, so what is freed fits fewer of the blocks that follow: twelve textures of
@@ -61,8 +69,6 @@ std::array<double, 64> touchPages(void* region) {
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return;
   void* region = mallocx(kRegionBytes, 0);
   if (!region) return;
-  std::array<double, 64> touches = touchPages(region);
-  if (areLargePagesFaster(touches)) madvise(firstPage(region), kRegionBytes - kPage, MADV_HUGEPAGE);
   unsigned arena = 0;
   std::size_t size = sizeof(arena);
   const bool isFound = mallctl("arenas.lookup", &arena, &size, &region, sizeof(region)) == 0;

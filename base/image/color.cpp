@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include <OpenColorIO/OpenColorIO.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/image/byte_steps.h"
 #include "base/parallel.h"
 
 namespace parity::base {
@@ -76,8 +78,17 @@ ocio::ConstCPUProcessorRcPtr makeProcessor(const ocio::ConstTransformRcPtr& tran
 
 } // namespace
 
+namespace {
+
+std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); }
+
+bool isFinite(const float* rgb) { return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]); }
+
+} // namespace
+
 struct DisplayTransform::Impl {
   ocio::ConstCPUProcessorRcPtr processor; // null: nothing but the clamp
+  std::optional<ByteSteps> steps;         // where each channel is encoded on its own
 };
 
 DisplayTransform::DisplayTransform(const std::string& name) : m_name(name), m_impl(std::make_unique<Impl>()) {
@@ -90,6 +101,12 @@ DisplayTransform::DisplayTransform(const std::string& name) : m_name(name), m_im
   } catch (const ocio::Exception& error) {
     throw Error(ExitCode::failed, "OpenColorIO", "display '" + name + "'", error.what());
   }
+  if (name != "ACES SDR")
+    m_impl->steps.emplace([&](std::span<const float> values, std::span<std::uint8_t> bytes) {
+      std::vector<float> encoded(values.size());
+      encode(values, 0, encoded);
+      std::ranges::transform(encoded, bytes.begin(), toByte);
+    });
 }
 
 DisplayTransform::~DisplayTransform() = default;
@@ -149,6 +166,22 @@ void DisplayTransform::encode(std::span<const float> linear, float exposureEv, s
     i += run;
   }
   if (pending < count) encodePixels(pending, count);
+}
+
+void DisplayTransform::encodeBytes(std::span<const float> linear, float exposureEv, std::span<std::uint8_t> bytes,
+                                   std::vector<std::uint32_t>& nonFinite) const {
+  const float gain = std::exp2(exposureEv);
+  const ByteSteps* steps = m_impl->steps ? &*m_impl->steps : nullptr;
+  std::vector<float> encoded(steps ? 0 : linear.size());
+  if (!steps) encode(linear, exposureEv, encoded);
+  for (std::size_t i = 0; i < linear.size(); i += 3) {
+    const float exposed[3] = {linear[i] * gain, linear[i + 1] * gain, linear[i + 2] * gain};
+    // The frame decides, not the encoded value: an infinite radiance would be displayed as plain white.
+    const bool isShown = isFinite(&linear[i]) && isFinite(steps ? exposed : &encoded[i]);
+    if (!isShown) nonFinite.push_back(static_cast<std::uint32_t>(i / 3));
+    for (std::size_t c = 0; c < 3; ++c)
+      bytes[i + c] = !isShown ? 0 : steps ? (*steps)(exposed[c]) : toByte(encoded[i + c]);
+  }
 }
 
 const std::vector<std::string>& colorSpaceNames() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gpu/spirv/spirv_half.h"
+#include "gpu/spirv/spirv_half_compare.h"
 #include "gpu/spirv/spirv_specialize.h"
 
 namespace parity::gpu {
@@ -63,7 +64,8 @@ vk::raii::PipelineLayout makePipelineLayout(const Device& device, std::span<cons
 vk::raii::Pipeline makeComputePipeline(const Device& device, const vk::raii::PipelineLayout& layout, Spirv spirv,
                                        std::span<const std::uint32_t> constants) {
   std::vector<std::uint32_t> words = specializeSpirv(spirv, constants);
-  if (device.properties().deviceType == vk::PhysicalDeviceType::eCpu) words = convertHalvesByBits(std::move(words));
+  if (device.properties().deviceType == vk::PhysicalDeviceType::eCpu)
+    words = compareHalvesWidened(convertHalvesByBits(std::move(words)));
   const vk::raii::ShaderModule module(device.handle(), vk::ShaderModuleCreateInfo({}, words));
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
   return vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout));

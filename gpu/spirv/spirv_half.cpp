@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <initializer_list>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -12,77 +11,36 @@
 #include <glslang/SPIRV/spirv.hpp>
 
 #include "gpu/spirv/spirv_module.h"
+#include "gpu/spirv/spirv_rewriter.h"
 
 namespace parity::gpu {
 
 namespace {
 
-// The name as SPIR-V holds it (2.2.1): with its end, in words of little-endian bytes.
-std::vector<std::uint32_t> wordsOf(std::string_view text) {
-  std::vector<std::uint32_t> words(text.size() / 4 + 1);
-  for (std::size_t i = 0; i < text.size(); ++i)
-    words[i / 4] |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])) << 8 * (i % 4);
-  return words;
-}
-
-bool isType(std::uint32_t opcode) { return opcode >= spv::OpTypeVoid && opcode <= spv::OpTypeForwardPointer; }
 bool readsImage(std::uint32_t opcode) { return opcode >= spv::OpImageSampleImplicitLod && opcode <= spv::OpImageRead; }
 
 bool isChain(std::uint32_t opcode) { return opcode == spv::OpAccessChain || opcode == spv::OpInBoundsAccessChain; }
 
 class HalfConverter {
 public:
-  explicit HalfConverter(const SpirvModule& module)
-      : m_module(module), m_bound(module.bound()),
-        m_functions(static_cast<std::size_t>(
-            std::ranges::find(module.instructions(), spv::OpFunction, &SpirvInstruction::opcode) -
-            module.instructions().begin())),
-        m_isMoved(module.bound()) {
+  explicit HalfConverter(const SpirvModule& module) : m_module(module), m_rewriter(module), m_isMoved(module.bound()) {
     findParameters();
     while (markMoved()) {
     }
   }
 
   std::vector<std::uint32_t> write() {
-    const std::span<const SpirvInstruction> all = m_module.instructions();
-    const auto globals = all.first(m_functions), functions = all.subspan(m_functions);
-    if (std::ranges::none_of(functions, [&](const SpirvInstruction& each) { return narrows(each); }))
+    if (std::ranges::none_of(m_module.instructions(), [&](const SpirvInstruction& each) { return narrows(each); }))
       return m_module.words();
     makeGlobals();
-    for (const SpirvInstruction& each : functions)
-      if (narrows(each))
-        narrow(each);
-      else
-        copy(each, m_code);
-
-    Words words(m_module.words().begin(), m_module.words().begin() + kHeaderWords);
-    bool isDecorated = false;
-    for (const SpirvInstruction& each : globals) {
-      if (each.opcode == spv::OpMemoryModel) append(words, m_import); // they stand before it
-      if (isType(each.opcode) && !std::exchange(isDecorated, true)) append(words, m_decorations); // before all types
-      copy(each, words);
-    }
-    append(words, m_globals);
-    append(words, m_code);
-    words[kBoundWord] = m_bound;
-    return words;
+    return m_rewriter.write([&](const SpirvInstruction& each) {
+      if (!narrows(each)) return false;
+      narrow(each);
+      return true;
+    });
   }
 
 private:
-  using Words = std::vector<std::uint32_t>;
-  static constexpr std::ptrdiff_t kHeaderWords = 5;
-  static constexpr std::size_t kBoundWord = 3;
-
-  static void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
-  static void write(Words& words, std::uint32_t opcode, const Words& operands) {
-    words.push_back((static_cast<std::uint32_t>(operands.size() + 1) << spv::WordCountShift) | opcode);
-    append(words, operands);
-  }
-  void copy(const SpirvInstruction& each, Words& words) const {
-    const auto first = m_module.words().begin() + static_cast<std::ptrdiff_t>(each.word);
-    words.insert(words.end(), first, first + (*first >> spv::WordCountShift));
-  }
-
   void findParameters() {
     std::uint32_t function = 0;
     for (const SpirvInstruction& each : m_module.instructions()) {
@@ -158,111 +116,72 @@ private:
     return to.bits == 16 && to.rows <= 4 && m_module.shapeOf(each.operands[0]).bits == 32;
   }
 
-  // That of the module, or a new one: no type may be there twice.
-  std::uint32_t typeOf(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands) {
-    const auto found = std::ranges::find_if(m_module.instructions(), [&](const SpirvInstruction& each) {
-      return each.opcode == opcode && std::ranges::equal(each.operands, operands);
-    });
-    if (found != m_module.instructions().end()) return found->result;
-    Words words = {m_bound};
-    words.insert(words.end(), operands);
-    write(m_globals, opcode, words);
-    return m_bound++;
-  }
-
-  std::uint32_t constantOf(std::uint32_t type, std::uint32_t value) {
-    write(m_globals, spv::OpConstant, {type, m_bound, value});
-    return m_bound++;
-  }
-
-  // GLSL.std.450.
-  std::uint32_t libraryOf() {
-    const Words name = wordsOf("GLSL.std.450");
-    const auto found = std::ranges::find_if(m_module.instructions(), [&](const SpirvInstruction& each) {
-      return each.opcode == spv::OpExtInstImport && std::ranges::equal(each.operands, name);
-    });
-    if (found != m_module.instructions().end()) return found->result;
-    Words words = {m_bound};
-    append(words, name);
-    write(m_import, spv::OpExtInstImport, words);
-    return m_bound++;
-  }
-
   void makeGlobals() {
-    m_library = libraryOf();
-    m_bool = typeOf(spv::OpTypeBool, {});
-    m_real = typeOf(spv::OpTypeFloat, {32});
-    m_half = typeOf(spv::OpTypeFloat, {16});
-    m_word = typeOf(spv::OpTypeInt, {32, 0});
-    m_halves = typeOf(spv::OpTypeVector, {m_half, 2});
-    m_one = constantOf(m_word, 1);
-    m_thirteen = constantOf(m_word, 13);
-    m_sixteen = constantOf(m_word, 16);
-    m_signMask = constantOf(m_word, 0x8000);
-    m_magnitudeMask = constantOf(m_word, 0x7fffffff);
-    m_infinity = constantOf(m_word, 0x7f800000);
-    m_most = constantOf(m_word, (127 + 16) << 23);        // 65536
-    m_leastNormal = constantOf(m_word, (127 - 14) << 23); // 2^-14
-    m_rebias = constantOf(m_word, 0xfffu - (112u << 23)); // the exponent's bias, and just below half of a unit
-    m_unit = constantOf(m_real, std::bit_cast<std::uint32_t>(0.5f)); // units of 2^-24 end at its last bit
-    m_unitBits = constantOf(m_word, std::bit_cast<std::uint32_t>(0.5f));
-    m_nan = constantOf(m_word, 0x7e00);
-  }
-
-  std::uint32_t compute(spv::Op opcode, std::uint32_t type, std::initializer_list<std::uint32_t> operands) {
-    Words words = {type, m_bound};
-    words.insert(words.end(), operands);
-    write(m_code, opcode, words);
-    return m_bound++;
+    m_bool = m_rewriter.typeOf(spv::OpTypeBool, {});
+    m_real = m_rewriter.typeOf(spv::OpTypeFloat, {32});
+    m_half = m_rewriter.typeOf(spv::OpTypeFloat, {16});
+    m_word = m_rewriter.typeOf(spv::OpTypeInt, {32, 0});
+    m_halves = m_rewriter.typeOf(spv::OpTypeVector, {m_half, 2});
+    const auto word = [&](std::uint32_t value) { return m_rewriter.constantOf(m_word, value); };
+    m_one = word(1);
+    m_thirteen = word(13);
+    m_sixteen = word(16);
+    m_signMask = word(0x8000);
+    m_magnitudeMask = word(0x7fffffff);
+    m_infinity = word(0x7f800000);
+    m_most = word((127 + 16) << 23);        // 65536
+    m_leastNormal = word((127 - 14) << 23); // 2^-14
+    m_rebias = word(0xfffu - (112u << 23)); // the exponent's bias, and just below half of a unit
+    m_unit = m_rewriter.realConstant(0.5f); // units of 2^-24 end at its last bit
+    m_unitBits = word(std::bit_cast<std::uint32_t>(0.5f));
+    m_nan = word(0x7e00);
   }
 
   // The 16 bits of the half, in a word.
   std::uint32_t bitsOfHalf(std::uint32_t x) {
     const auto word = [&](spv::Op opcode, std::initializer_list<std::uint32_t> operands) {
-      return compute(opcode, m_word, operands);
+      return m_rewriter.compute(opcode, m_word, operands);
     };
     const std::uint32_t bits = word(spv::OpBitcast, {x});
     const std::uint32_t sign = word(spv::OpBitwiseAnd, {word(spv::OpShiftRightLogical, {bits, m_sixteen}), m_signMask});
     const std::uint32_t whole = word(spv::OpBitwiseAnd, {bits, m_magnitudeMask});
-    const std::uint32_t magnitude = word(spv::OpExtInst, {m_library, GLSLstd450UMin, whole, m_most});
+    const std::uint32_t magnitude = word(spv::OpExtInst, {m_rewriter.library(), GLSLstd450UMin, whole, m_most});
 
     const std::uint32_t odd = word(spv::OpBitwiseAnd, {word(spv::OpShiftRightLogical, {magnitude, m_thirteen}), m_one});
     const std::uint32_t biased = word(spv::OpIAdd, {magnitude, m_rebias});
     const std::uint32_t normal = word(spv::OpShiftRightLogical, {word(spv::OpIAdd, {biased, odd}), m_thirteen});
 
-    const std::uint32_t real = compute(spv::OpBitcast, m_real, {magnitude});
-    const std::uint32_t sum = compute(spv::OpFAdd, m_real, {real, m_unit}); // rounds
-    write(m_decorations, spv::OpDecorate, {sum, spv::DecorationNoContraction});
+    const std::uint32_t real = m_rewriter.compute(spv::OpBitcast, m_real, {magnitude});
+    const std::uint32_t sum = m_rewriter.compute(spv::OpFAdd, m_real, {real, m_unit}); // rounds
+    m_rewriter.keepExact(sum);
     const std::uint32_t denormal = word(spv::OpISub, {word(spv::OpBitcast, {sum}), m_unitBits});
 
-    const std::uint32_t isDenormal = compute(spv::OpULessThan, m_bool, {magnitude, m_leastNormal});
+    const std::uint32_t isDenormal = m_rewriter.compute(spv::OpULessThan, m_bool, {magnitude, m_leastNormal});
     const std::uint32_t number = word(spv::OpSelect, {isDenormal, denormal, normal});
-    const std::uint32_t isNan = compute(spv::OpUGreaterThan, m_bool, {whole, m_infinity});
+    const std::uint32_t isNan = m_rewriter.compute(spv::OpUGreaterThan, m_bool, {whole, m_infinity});
     return word(spv::OpBitwiseOr, {word(spv::OpSelect, {isNan, m_nan, number}), sign});
   }
 
   void narrow(const SpirvInstruction& each) {
     const auto count = static_cast<std::uint32_t>(m_module.shapeOfType(each.type).rows);
-    Words parts = {each.type, each.result};
+    std::vector<std::uint32_t> parts = {each.type, each.result};
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t x =
-          count == 1 ? each.operands[0] : compute(spv::OpCompositeExtract, m_real, {each.operands[0], i});
-      const std::uint32_t halves = compute(spv::OpBitcast, m_halves, {bitsOfHalf(x)});
-      if (count == 1) return write(m_code, spv::OpCompositeExtract, {each.type, each.result, halves, 0});
-      parts.push_back(compute(spv::OpCompositeExtract, m_half, {halves, 0}));
+          count == 1 ? each.operands[0] : m_rewriter.compute(spv::OpCompositeExtract, m_real, {each.operands[0], i});
+      const std::uint32_t halves = m_rewriter.compute(spv::OpBitcast, m_halves, {bitsOfHalf(x)});
+      if (count == 1) return m_rewriter.emit(spv::OpCompositeExtract, {each.type, each.result, halves, 0});
+      parts.push_back(m_rewriter.compute(spv::OpCompositeExtract, m_half, {halves, 0}));
     }
-    write(m_code, spv::OpCompositeConstruct, parts);
+    m_rewriter.emit(spv::OpCompositeConstruct, parts);
   }
 
   const SpirvModule& m_module;
-  std::uint32_t m_bound;
-  std::size_t m_functions;                                                    // the first instruction of functions
+  SpirvRewriter m_rewriter;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> m_parameters; // of functions
   std::vector<bool> m_isMoved;                                                // ids that may hold what an image holds
-  std::uint32_t m_library = 0, m_bool = 0, m_real = 0, m_half = 0, m_word = 0, m_halves = 0; // types
+  std::uint32_t m_bool = 0, m_real = 0, m_half = 0, m_word = 0, m_halves = 0; // types
   std::uint32_t m_one = 0, m_thirteen = 0, m_sixteen = 0, m_signMask = 0, m_magnitudeMask = 0, m_infinity = 0;
   std::uint32_t m_most = 0, m_leastNormal = 0, m_rebias = 0, m_unit = 0, m_unitBits = 0, m_nan = 0;
-  Words m_import, m_decorations, m_globals, m_code;
 };
 
 } // namespace

@@ -1,6 +1,5 @@
 #include "job/view/displayed.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -9,17 +8,12 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/raw_vector.h"
 
 namespace parity::job {
 
 namespace {
 
 constexpr std::size_t kGrainPixels = 16384;
-
-bool isFinite(const float* rgb) { return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]); }
-
-std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); }
 
 } // namespace
 
@@ -30,16 +24,10 @@ Displayed displayImage(const base::Image& color, const base::DisplayTransform& d
   Displayed out{base::Image8(color.width, color.height, 3), {}};
   std::vector<std::vector<std::uint32_t>> nonFinite(color.pixelCount() / kGrainPixels + 1);
   base::parallelFor(color.pixelCount(), kGrainPixels, [&](std::size_t begin, std::size_t end) {
-    base::RawVector<float> encoded(3 * (end - begin));
-    display.encode(std::span(color.pixels).subspan(3 * begin, encoded.size()), exposureEv, encoded);
-    for (std::size_t p = begin; p < end; ++p) {
-      const float* shown = &encoded[3 * (p - begin)];
-      // The frame decides, not the encoded value: an infinite radiance would be displayed as plain white.
-      if (isFinite(&color.pixels[3 * p]) && isFinite(shown))
-        std::transform(shown, shown + 3, &out.pixels.pixels[3 * p], toByte);
-      else
-        nonFinite[begin / kGrainPixels].push_back(static_cast<std::uint32_t>(p));
-    }
+    std::vector<std::uint32_t>& found = nonFinite[begin / kGrainPixels];
+    display.encodeBytes(std::span(color.pixels).subspan(3 * begin, 3 * (end - begin)), exposureEv,
+                        std::span(out.pixels.pixels).subspan(3 * begin, 3 * (end - begin)), found);
+    for (std::uint32_t& pixel : found) pixel += static_cast<std::uint32_t>(begin);
   });
   for (const auto& part : nonFinite) out.nonFinite.insert(out.nonFinite.end(), part.begin(), part.end());
   return out;

@@ -120,6 +120,28 @@ TEST(DisplayTransform, EncodesPixelsInARunAsAlone) {
   }
 }
 
+// Of sRGB the steps are searched in the transform itself: around each, and anywhere, the bytes are those of `apply`.
+TEST(DisplayTransform, EncodesTheBytesOfTheEncodedValues) {
+  Image image = makeLogNoise(-20, 6);
+  for (int code = 1; code < 256; ++code) { // the light where the byte steps up, and 40 numbers on both sides
+    float light = static_cast<float>(std::pow((code - 0.5) / 255 / 1.055 + 0.055 / 1.055, 2.4));
+    if (code <= 10) light = static_cast<float>((code - 0.5) / 255 / 12.92);
+    for (int i = 0; i < 40; ++i) light = std::nextafter(light, 0.f);
+    for (int i = 0; i < 80; ++i, light = std::nextafter(light, 1.f)) image.pixels[code * 80 + i] = light;
+  }
+  for (const std::string& name : DisplayTransform::names())
+    for (const float exposureEv : {0.f, -1.5f}) {
+      const DisplayTransform display(name);
+      const Image encoded = display.apply(image, exposureEv);
+      std::vector<std::uint8_t> bytes(image.pixels.size());
+      std::vector<std::uint32_t> nonFinite;
+      display.encodeBytes(image.pixels, exposureEv, bytes, nonFinite);
+      EXPECT_TRUE(nonFinite.empty());
+      for (std::size_t i = 0; i < bytes.size(); ++i)
+        ASSERT_EQ(bytes[i], static_cast<int>(encoded.pixels[i] * 255 + 0.5f)) << name << " of " << image.pixels[i];
+    }
+}
+
 TEST(DisplayTransform, KeepsNonFiniteValuesSoThatTheyCanBeRefused) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   Image image(3, 40, 3, 0.25f);

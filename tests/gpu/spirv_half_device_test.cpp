@@ -1,13 +1,17 @@
 // Conversions to half by bits give what the driver's own give, and what rounding to nearest even gives, to the last
-// bit.
+// bit; widened comparisons give what the driver's own give, and what numbers do.
 #include "gpu/spirv/spirv_half.h"
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <random>
+#include <string>
 
+#include "gpu/spirv/spirv_half_compare.h"
 #include "gpu/spirv/spirv_specialize.h"
 #include "gpu_shaders/half.comp.h"
+#include "gpu_shaders/half_compare.comp.h"
 #include "shading/half.h"
 #include "support/device.h"
 
@@ -16,7 +20,7 @@ namespace {
 
 using shading::Half;
 
-constexpr std::size_t kWords = 6; // a number's, as half.comp writes them
+constexpr std::size_t kWords = 6, kComparedWords = 4; // a number's, as half.comp and half_compare.comp write them
 
 // Every half, the numbers halfway between neighbours, the floats beside both, and any bits at all.
 std::vector<float> numbersToConvert() {
@@ -39,14 +43,15 @@ std::vector<float> numbersToConvert() {
 
 class SpirvHalfTest : public tests::DeviceTest {
 protected:
-  std::vector<std::uint32_t> run(const std::vector<std::uint32_t>& words, const std::vector<float>& numbers) const {
+  std::vector<std::uint32_t> run(const std::vector<std::uint32_t>& words, const std::vector<float>& numbers,
+                                 std::size_t wordsOfNumber) const {
     constexpr auto compute = vk::ShaderStageFlagBits::eCompute;
     const std::array<std::byte, 4> texel{};
     const std::span<const std::byte> mip = texel;
     const DeviceImage image(device(), {.width = 1, .height = 1, .mips = 1}, std::span{&mip, 1});
     const vk::raii::Sampler sampler(device().handle(), vk::SamplerCreateInfo());
     const Buffer in(device(), std::span<const float>(numbers)),
-        out(device(), numbers.size() * kWords * sizeof(std::uint32_t));
+        out(device(), numbers.size() * wordsOfNumber * sizeof(std::uint32_t));
     const std::vector<Binding> bindings = {storage(in), storage(out),
                                            vk::DescriptorImageInfo(*sampler, image.view(), kReadOnlyLayout)};
     const vk::raii::DescriptorSetLayout setLayout = makeSetLayout(device(), bindings, compute);
@@ -62,7 +67,7 @@ protected:
       commands.dispatch(static_cast<std::uint32_t>(numbers.size() / 64), 1, 1);
       fullBarrier(commands);
     });
-    return out.downloadAs<std::uint32_t>(numbers.size() * kWords);
+    return out.downloadAs<std::uint32_t>(numbers.size() * wordsOfNumber);
   }
 };
 
@@ -76,9 +81,9 @@ TEST_F(SpirvHalfTest, RoundsEveryNumberToTheNearestHalf) {
   const std::vector<std::uint32_t> plain = specializeSpirv(kHalfComp, std::array{0u}),
                                    byBits = convertHalvesByBits(plain);
   ASSERT_NE(byBits, plain);
-  std::vector<std::vector<std::uint32_t>> results = {run(byBits, numbers)};
+  std::vector<std::vector<std::uint32_t>> results = {run(byBits, numbers, kWords)};
   // Another device may round otherwise, or flush denormals: only the software device's own bits are to be kept.
-  if (device().properties().deviceType == vk::PhysicalDeviceType::eCpu) results.push_back(run(plain, numbers));
+  if (device().properties().deviceType == vk::PhysicalDeviceType::eCpu) results.push_back(run(plain, numbers, kWords));
   for (const std::vector<std::uint32_t>& result : results)
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const float x = numbers[i], y = numbers[i ^ 1], z = numbers[i ^ 2], w = numbers[i ^ 3];
@@ -92,6 +97,51 @@ TEST_F(SpirvHalfTest, RoundsEveryNumberToTheNearestHalf) {
                                       << (&result == results.data() ? "by bits" : "by the driver");
       }
     }
+}
+
+// < <= > >= == !=, a bit each.
+template <typename T> std::uint32_t compare(T a, T b) {
+  return std::uint32_t{a < b} | std::uint32_t{a <= b} << 1 | std::uint32_t{a > b} << 2 | std::uint32_t{a >= b} << 3 |
+         std::uint32_t{a == b} << 4 | std::uint32_t{a != b} << 5;
+}
+
+// Of two of which one is NaN, the other one. The sign of zero is open.
+void expectHalf(std::uint32_t bits, float expected, const std::string& what) {
+  const float found = Half::fromBits(static_cast<std::uint16_t>(bits));
+  ASSERT_TRUE(found == expected || (std::isnan(found) && std::isnan(expected))) << what << ": " << found;
+}
+
+TEST_F(SpirvHalfTest, ComparesEveryHalfAsTheNumberThatItIs) {
+  if (!device().report().float16) GTEST_SKIP() << "the device has no arithmetic in half";
+  const std::vector<float> numbers = numbersToConvert();
+  const std::vector<std::uint32_t> plain =
+                                       convertHalvesByBits({std::begin(kHalfCompareComp), std::end(kHalfCompareComp)}),
+                                   widened = compareHalvesWidened(plain);
+  ASSERT_NE(widened, plain);
+  const std::vector<std::uint32_t> results = run(widened, numbers, kComparedWords);
+  if (device().properties().deviceType == vk::PhysicalDeviceType::eCpu) {
+    ASSERT_TRUE(run(plain, numbers, kComparedWords) == results) << "the driver's own comparisons give other bits";
+  }
+  constexpr float kOne = 1, kLargest = 65504;
+  const float small = Half(6.0e-8f);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const float x = numbers[i], a = Half(x), b = Half(numbers[i ^ 1]);
+    const std::uint32_t* result = &results[kComparedWords * i];
+    const std::string what = std::to_string(a) + ", " + std::to_string(b);
+    // A device may take denormals for 0.
+    if (std::abs(x) >= 0x1p-126f || x == 0 || std::isnan(x)) {
+      ASSERT_EQ(result[0], compare(a, b) | compare(a, small) << 6 | compare(kOne, a) << 12 | compare(a, kLargest) << 18)
+          << what;
+      ASSERT_EQ(result[1], compare(a, 0.f) | compare(-2.5f, a) << 6 | compare(x, kLargest) << 12 |
+                               compare(x, 0.1f) << 18 | std::uint32_t{x > a} << 24)
+          << what << " of " << x;
+    }
+    expectHalf(result[2], std::fmin(a, b), "min " + what);
+    expectHalf(result[2] >> 16, std::fmax(a, b), "max " + what);
+    expectHalf(result[3], std::fmax(kOne, a), "max(1, a) " + what);
+    expectHalf(result[3] >> 16, std::fmin(std::fmax(a, 0.f), 1.f), "saturate " + what);
+    if (HasFatalFailure()) return;
+  }
 }
 
 } // namespace

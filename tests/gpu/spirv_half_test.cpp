@@ -1,4 +1,5 @@
-// What is left of conversions to half in modules. What they compute: spirv_half_device_test.cpp.
+// What is left of conversions to half, and of comparisons of halves, in modules. What they compute:
+// spirv_half_device_test.cpp.
 #include "gpu/spirv/spirv_half.h"
 
 #include <algorithm>
@@ -8,9 +9,11 @@
 
 #include "base/expect_error.h"
 #include "gpu/specialize_numbers.h"
+#include "gpu/spirv/spirv_half_compare.h"
 #include "gpu/spirv/spirv_module.h"
 #include "gpu/spirv/spirv_specialize.h"
 #include "gpu_shaders/half.comp.h"
+#include "gpu_shaders/half_compare.comp.h"
 #include "gpu_shaders/specialize.comp.h"
 
 namespace parity::gpu {
@@ -77,8 +80,39 @@ TEST(SpirvHalf, MakesTheTypesAndTheLibraryThatAModuleLacks) {
   EXPECT_EQ(countConversions(after), 0u);
 }
 
+// Comparisons of halves, and FMin and FMax of them.
+std::size_t countOfHalves(const Words& words) {
+  const SpirvModule module(words);
+  const auto isOfHalves = [&](const SpirvInstruction& each) {
+    if (each.opcode >= spv::OpFOrdEqual && each.opcode <= spv::OpFUnordGreaterThanEqual)
+      return module.shapeOf(each.operands[0]).bits == 16;
+    return each.opcode == spv::OpExtInst && module.shapeOf(each.result).bits == 16;
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(module.instructions(), isOfHalves));
+}
+
+TEST(SpirvHalf, WidensComparisonsOfHalves) {
+  for (const std::span<const std::uint32_t> spirv :
+       {std::span<const std::uint32_t>(kHalfCompareComp), std::span<const std::uint32_t>(kHalfCompareCompWritten)}) {
+    const Words before(spirv.begin(), spirv.end()), after = compareHalvesWidened(before);
+    EXPECT_GE(countOfHalves(before), 11u); // six comparisons, five of min and max
+    EXPECT_EQ(countOfHalves(after), 0u);
+    EXPECT_EQ(refusalOf(before), "");
+    EXPECT_EQ(refusalOf(after), "");
+    EXPECT_EQ(countConversions(convertHalvesByBits(after)), countConversions(after) - 2) << "of the numbers alone";
+  }
+}
+
+TEST(SpirvHalf, LeavesComparisonsWithoutHalves) {
+  const Words words(std::begin(kSpecializeComp), std::end(kSpecializeComp));
+  EXPECT_EQ(compareHalvesWidened(words), words);
+  const Words conversions = specializeSpirv(kHalfComp, Words{0});
+  EXPECT_EQ(compareHalvesWidened(conversions), conversions);
+}
+
 TEST(SpirvHalf, RefusesWhatIsNoModule) {
   base::expectError([] { convertHalvesByBits({1, 2, 3, 4, 5}); }, "SPIR-V", "word 0");
+  base::expectError([] { compareHalvesWidened({1, 2, 3, 4, 5}); }, "SPIR-V", "word 0");
 }
 
 } // namespace

@@ -1,0 +1,49 @@
+// A SPIR-V module written anew, with instructions of its functions replaced by others.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <vector>
+
+#include <glslang/SPIRV/spirv.hpp>
+
+#include "gpu/spirv/spirv_module.h"
+
+namespace parity::gpu {
+
+// Types, constants and instructions get ids of their own, above the module's. The module must outlive it.
+class SpirvRewriter {
+public:
+  using Words = std::vector<std::uint32_t>;
+
+  explicit SpirvRewriter(const SpirvModule& module);
+
+  // The module's words. replace is asked for each instruction of the functions in their order, and returns whether it
+  // has written others in its place. To be called once.
+  Words write(const std::function<bool(const SpirvInstruction&)>& replace);
+
+  // The module's type of these operands, or a new one: no type may be there twice.
+  std::uint32_t typeOf(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands);
+  std::uint32_t constantOf(std::uint32_t type, std::uint32_t value);
+  std::uint32_t realConstant(float value); // of 32 bits
+  std::uint32_t library();                 // GLSL.std.450
+
+  // For replace: writes an instruction, with the operands behind its opcode.
+  void emit(std::uint32_t opcode, const Words& operands);
+  // The same with a result, whose id it returns.
+  std::uint32_t compute(std::uint32_t opcode, std::uint32_t type, std::initializer_list<std::uint32_t> operands);
+  // Drivers must not simplify how this result is computed (SPIR-V 2.18.3, NoContraction).
+  void keepExact(std::uint32_t result);
+
+private:
+  static void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+  static void write(Words& words, std::uint32_t opcode, const Words& operands);
+  void copy(const SpirvInstruction& each, Words& words) const;
+
+  const SpirvModule& m_module;
+  std::uint32_t m_bound, m_library = 0;
+  Words m_import, m_decorations, m_globals, m_code;
+};
+
+} // namespace parity::gpu
