@@ -22,8 +22,8 @@ endfunction()
 # One folder = one static library of all its sources, those of its subfolders included: parity_NAME, '/' as '_'. Its only
 # public include path is a folder that holds a link to the folder under NAME and nothing else, so
 # "#include "other/x.h"" compiles only where `other` is among USES (transitively): the direction of the arrows is a compile
-# error, not a habit. Every header is also compiled alone: by the source of its name, which includes it before all else, or
-# else in a unit of its own. EXCLUDE: what belongs to other targets; headers of other compilers (shaders/, *-inl.h) are none
+# error, not a habit. Without a unity build every header is also compiled alone: by the source of its name, which includes it
+# before all else, or else in a unit of its own. EXCLUDE: what belongs to other targets; headers of other compilers (shaders/, *-inl.h) are none
 # of it. VULKAN: the folder includes Vulkan-Hpp. NO_HOT_LOOPS: other folders compute what takes time: a release compiles this
 # one at -O1, which saved 8 % of the largest unit's time.
 function(parity_folder name)
@@ -80,11 +80,9 @@ function(parity_folder name)
       list(APPEND alone ${unit})
     endforeach()
   endif()
-  if(alone)
+  if(alone AND NOT CMAKE_UNITY_BUILD)
     add_library(parity_headers_${id} OBJECT ${alone})
     target_link_libraries(parity_headers_${id} PRIVATE parity_${id} ${ARG_PRIVATE_LIBRARIES})
-    # Alone is not in one unit with others.
-    set_target_properties(parity_headers_${id} PROPERTIES UNITY_BUILD OFF)
     # What is checked is that they compile: nothing is to run.
     target_compile_options(parity_headers_${id} PRIVATE -O0)
     if(ARG_VULKAN AND name STREQUAL gpu)

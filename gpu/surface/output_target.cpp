@@ -41,7 +41,24 @@ float roundToSrgb8(float light) {
 
 float roundToUnorm8(float value) { return std::floor(std::clamp(value, 0.f, 1.f) * 255 + 0.5f) / 255; }
 
-float roundToHalf(float value) { return Half(std::clamp(value, -65504.f, 65504.f)); }
+// roundToUnsignedFloat of a number above 0.
+inline float roundMagnitude(float value, int mantissaBits) {
+  const auto largest = static_cast<float>((2 - std::ldexp(1.0, -mantissaBits)) * 0x1p15);
+  if (value < 0x1p-14f) { // adding 2^23 of the smallest steps rounds to a whole number of them, ties to even
+    const float shift = std::ldexp(1.f, 23 - 14 - mantissaBits);
+    return (value + shift) - shift;
+  }
+  const int dropped = 23 - mantissaBits;
+  const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
+  const std::uint32_t even = bits >> dropped & 1u;
+  const std::uint32_t rounded = (bits + (1u << (dropped - 1)) - 1 + even) & ~((1u << dropped) - 1);
+  return std::min(std::bit_cast<float>(rounded), largest);
+}
+
+// Infinities become the largest half; of NaN anything.
+float roundToHalf(float value) {
+  return std::copysign(roundMagnitude(std::min(std::abs(value), 65504.f), 10), value);
+}
 
 glm::vec3 gamma2(const glm::vec3& c, bool half) {
   if (half) {
@@ -74,16 +91,7 @@ float roundToUnsignedFloat(float value, int mantissaBits) {
   if (std::isnan(value)) return value;
   if (!(value > 0)) return 0;
   if (std::isinf(value)) return value;
-  const double largest = (2 - std::ldexp(1.0, -mantissaBits)) * 0x1p15;
-  if (value < 0x1p-14f) { // adding 2^23 of the smallest steps rounds to a whole number of them, ties to even
-    const float shift = std::ldexp(1.f, 23 - 14 - mantissaBits);
-    return (value + shift) - shift;
-  }
-  const int dropped = 23 - mantissaBits;
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
-  const std::uint32_t even = bits >> dropped & 1u;
-  const std::uint32_t rounded = (bits + (1u << (dropped - 1)) - 1 + even) & ~((1u << dropped) - 1);
-  return std::min(std::bit_cast<float>(rounded), static_cast<float>(largest));
+  return roundMagnitude(value, mantissaBits);
 }
 
 TargetCodec::TargetCodec(OutputTarget target, float exposureEv, bool half)

@@ -77,6 +77,23 @@ TEST(OutputTarget, PackedFloatsHaveLessBlue) {
   EXPECT_EQ(kept, glm::vec3(1 + 1 / 64.f, 1 + 1 / 64.f, 1 + 1 / 32.f));
 }
 
+TEST(OutputTarget, HalvesAreTheNearestOfAllHalves) {
+  const TargetCodec codec(OutputTarget::rgba16f, 0);
+  const auto expectNearest = [&](float x) {
+    const float half = shading::Half(std::clamp(x, -65504.f, 65504.f)), kept = codec.store({0, x, 0}).y;
+    EXPECT_EQ(kept, half) << x;
+    EXPECT_EQ(std::signbit(kept), std::signbit(half)) << x;
+  };
+  for (std::uint16_t bits = 0; bits < 0x7c00; ++bits) {
+    const float half = shading::Half::fromBits(bits);
+    const float next = bits < 0x7bff ? float(shading::Half::fromBits(bits + 1)) : 65536.f;
+    const float middle = half + (next - half) / 2;
+    for (const float x : {half, middle, std::nextafter(middle, 0.f), std::nextafter(middle, kInf)})
+      expectNearest(x), expectNearest(-x);
+  }
+  for (const float x : {1e-45f, 1e-30f, 65519.f, 65520.f, 1e9f}) expectNearest(x), expectNearest(-x);
+}
+
 TEST(OutputTarget, HalvesRoundToEvenAndSaturate) {
   const glm::vec3 kept = through(OutputTarget::rgba16f, {1 + 0x1p-11f, 1 + 3 * 0x1p-11f, 1e6f});
   EXPECT_EQ(kept, glm::vec3(1, 1 + 0x1p-9f, 65504));
