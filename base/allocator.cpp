@@ -14,15 +14,15 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 
-// Settings, with pages of the system's usual size.
 //   dirty_decay_ms:-1         keeps what was freed for the next block
 //   oversize_threshold        blocks of 1 MiB and more share one arena: what one thread freed serves another
 //   lg_extent_max_active_fit  a freed block also serves a request of a 4096th of its size. By default that is a 64th,
 //                             and a run of several scenes takes up to 1.2 times the memory
 #define PARITY_SETTINGS "dirty_decay_ms:-1,oversize_threshold:1048576,lg_extent_max_active_fit:12"
 
-// jemalloc reads this at the first allocation; the environment variable MALLOC_CONF comes after it.
-const char* malloc_conf = PARITY_SETTINGS;
+// jemalloc reads this at the first allocation; the environment variable MALLOC_CONF comes after it. Set by
+// chooseSettings.
+const char* malloc_conf = nullptr;
 
 namespace parity::base {
 
@@ -36,7 +36,7 @@ namespace {
 
 constexpr std::size_t kRegionBytes = std::size_t{1} << 30, kPage = 4096, kTouches = 64;
 
-// In seconds, for pages that nothing has touched; zeros where the system has none. It allocates nothing.
+// In seconds, for pages that nothing has touched; zeros if mmap fails. It allocates nothing.
 std::array<double, kTouches> touchPages() {
   std::array<double, kTouches> seconds{};
   void* pages = mmap(nullptr, kTouches * kPage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -52,14 +52,15 @@ std::array<double, kTouches> touchPages() {
   return seconds;
 }
 
-// Asks for large pages for all memory, also of the driver, where they are the faster ones.
-void chooseSizeOfPages() {
+// Large pages are for all memory, also the driver's. jemalloc asks for them where the system's setting is `madvise`
+// (/sys/kernel/mm/transparent_hugepage/enabled).
+void chooseSettings() {
   std::array<double, kTouches> touches = touchPages();
-  if (areLargePagesFaster(touches)) malloc_conf = PARITY_SETTINGS ",thp:always";
+  malloc_conf = areLargePagesFaster(touches) ? PARITY_SETTINGS ",thp:always" : PARITY_SETTINGS;
 }
 
-// The dynamic linker calls this before the constructors of all libraries, so before jemalloc's, too.
-[[gnu::section(".preinit_array"), gnu::used]] void (*beforeConstructors)() = chooseSizeOfPages;
+// The C library calls this before the constructors of all libraries, so before jemalloc's, too.
+[[gnu::section(".preinit_array"), gnu::used]] void (*beforeConstructors)() = chooseSettings;
 
 // Gives the arena of large blocks one region of addresses, no memory. Without it regions begin small and double. Freed
 // neighbours in two regions are not joined, so what is freed fits fewer of the blocks that follow: twelve textures of

@@ -14,11 +14,11 @@ namespace parity::base {
 // Bytes of a function of one value, exactly as the function gives them.
 class ByteSteps {
 public:
-  // encode: bytes of as many values in [0, 1]; is called some 30 times. It must never fall, and give 0 at 0 and 255
-  // at 1.
+  // encode: bytes of as many values in [0, 1]; is called some 30 times, with 255 values each. It must never fall, and
+  // give 0 at 0 and 255 at 1.
   explicit ByteSteps(const std::function<void(std::span<const float>, std::span<std::uint8_t>)>& encode);
 
-  // value: any number, infinite ones too. At and below 0 the byte is 0, from 1 on it is 255.
+  // At and below 0, and for NaN, the byte is 0; from 1 on it is 255.
   std::uint8_t operator()(float value) const {
     if (!(value >= m_least[1])) return 0;
     if (value >= m_least[kSteps]) return kSteps;

@@ -2,6 +2,7 @@
 #include "base/image/color.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -14,6 +15,7 @@
 #include "base/error.h"
 #include "base/image/byte_steps.h"
 #include "base/parallel.h"
+#include "base/raw_vector.h"
 
 namespace parity::base {
 
@@ -75,10 +77,6 @@ ocio::ConstCPUProcessorRcPtr makeProcessor(const ocio::ConstTransformRcPtr& tran
   const ocio::ConstConfigRcPtr config = ocio::Config::Create();
   return config->getProcessor(transform)->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
 }
-
-} // namespace
-
-namespace {
 
 std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); }
 
@@ -171,17 +169,25 @@ void DisplayTransform::encode(std::span<const float> linear, float exposureEv, s
 void DisplayTransform::encodeBytes(std::span<const float> linear, float exposureEv, std::span<std::uint8_t> bytes,
                                    std::vector<std::uint32_t>& nonFinite) const {
   const float gain = std::exp2(exposureEv);
-  const ByteSteps* steps = m_impl->steps ? &*m_impl->steps : nullptr;
-  std::vector<float> encoded(steps ? 0 : linear.size());
-  if (!steps) encode(linear, exposureEv, encoded);
-  for (std::size_t i = 0; i < linear.size(); i += 3) {
-    const float exposed[3] = {linear[i] * gain, linear[i + 1] * gain, linear[i + 2] * gain};
-    // The frame decides, not the encoded value: an infinite radiance would be displayed as plain white.
-    const bool isShown = isFinite(&linear[i]) && isFinite(steps ? exposed : &encoded[i]);
-    if (!isShown) nonFinite.push_back(static_cast<std::uint32_t>(i / 3));
-    for (std::size_t c = 0; c < 3; ++c)
-      bytes[i + c] = !isShown ? 0 : steps ? (*steps)(exposed[c]) : toByte(encoded[i + c]);
+  const auto encodeBy = [&](const auto& shownAt, const auto& byteAt) {
+    for (std::size_t i = 0; i < linear.size(); i += 3) {
+      // The frame decides, too: an infinite radiance would be displayed as plain white.
+      const bool isShown = isFinite(&linear[i]) && isFinite(shownAt(i).data());
+      if (!isShown) nonFinite.push_back(static_cast<std::uint32_t>(i / 3));
+      for (std::size_t c = i; c < i + 3; ++c) bytes[c] = isShown ? byteAt(c) : std::uint8_t{0};
+    }
+  };
+  if (m_impl->steps) {
+    const ByteSteps& steps = *m_impl->steps;
+    const auto exposedAt = [&](std::size_t i) {
+      return std::array{linear[i] * gain, linear[i + 1] * gain, linear[i + 2] * gain};
+    };
+    return encodeBy(exposedAt, [&](std::size_t c) { return steps(linear[c] * gain); });
   }
+  RawVector<float> encoded(linear.size());
+  encode(linear, exposureEv, encoded);
+  encodeBy([&](std::size_t i) { return std::span(encoded).subspan(i, 3); },
+           [&](std::size_t c) { return toByte(encoded[c]); });
 }
 
 const std::vector<std::string>& colorSpaceNames() {

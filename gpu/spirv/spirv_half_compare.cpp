@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <glslang/SPIRV/GLSL.std.450.h>
@@ -58,12 +59,15 @@ private:
     const SpirvShape shape = m_module.shapeOf(id);
     return shape.kind == SpirvShape::Kind::real && shape.bits == bits && shape.components() == 1;
   }
-  bool isConstant(std::uint32_t id) const {
+  // The word of a constant; none: it is something else.
+  std::optional<std::uint32_t> constantWord(std::uint32_t id) const {
     const SpirvInstruction* found = m_module.find(id);
-    return found && found->opcode == spv::OpConstant;
+    if (found && found->opcode == spv::OpConstantNull) return 0;
+    return found && found->opcode == spv::OpConstant ? std::optional(found->operands[0]) : std::nullopt;
   }
   bool isConstantHalf(std::uint32_t id) const { // in 32 bits
-    return isConstant(id) && mayBeHalf(std::bit_cast<float>(m_module.find(id)->operands[0]));
+    const std::optional<std::uint32_t> word = constantWord(id);
+    return word && mayBeHalf(std::bit_cast<float>(*word));
   }
 
   bool comparesHalves(const SpirvInstruction& each) const {
@@ -73,7 +77,8 @@ private:
     return isComparison(each.opcode) && isScalar(each.operands[0], 32) &&
            (isConstantHalf(each.operands[0]) || isConstantHalf(each.operands[1]));
   }
-  // Operands of OpExtInst: the library, the function, its arguments.
+  // Operands of OpExtInst: the library, the function, its arguments. Of the libraries of a shader only GLSL.std.450 has
+  // functions that return a half.
   bool isMinOrMax(const SpirvInstruction& each) const {
     return each.opcode == spv::OpExtInst && each.operands.size() == 4 && isScalar(each.result, 16) &&
            (each.operands[1] == GLSLstd450FMin || each.operands[1] == GLSLstd450FMax);
@@ -89,11 +94,11 @@ private:
   // FMin or FMax: the first operand where it is the result, else the second.
   void select(const SpirvInstruction& each) {
     std::uint32_t first = each.operands[2], second = each.operands[3];
-    if (isConstant(first)) std::swap(first, second); // so that a NaN is the first
+    if (constantWord(first)) std::swap(first, second); // so that a NaN is the first
     const bool isMin = each.operands[1] == GLSLstd450FMin;
     const std::uint32_t a = twice(first), b = twice(second);
     std::uint32_t isFirst = 0;
-    if (isConstant(second)) {
+    if (constantWord(second)) {
       isFirst = m_rewriter.compute(isMin ? spv::OpFOrdLessThan : spv::OpFOrdGreaterThan, m_bool, {a, b});
     } else {
       const std::uint32_t isNumber = m_rewriter.compute(spv::OpFOrdEqual, m_bool, {a, a});

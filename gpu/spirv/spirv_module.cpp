@@ -57,6 +57,18 @@ std::size_t leastOperandsOf(std::uint32_t opcode) {
   case spv::OpTypeInt:
   case spv::OpTypeVector:
   case spv::OpTypeMatrix:
+  case spv::OpFOrdEqual:
+  case spv::OpFUnordEqual:
+  case spv::OpFOrdNotEqual:
+  case spv::OpFUnordNotEqual:
+  case spv::OpFOrdLessThan:
+  case spv::OpFUnordLessThan:
+  case spv::OpFOrdGreaterThan:
+  case spv::OpFUnordGreaterThan:
+  case spv::OpFOrdLessThanEqual:
+  case spv::OpFUnordLessThanEqual:
+  case spv::OpFOrdGreaterThanEqual:
+  case spv::OpFUnordGreaterThanEqual:
     return 2;
   case spv::OpBranch:
   case spv::OpName:

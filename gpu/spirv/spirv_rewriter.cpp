@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include <glslang/SPIRV/spirv.hpp>
+
 namespace parity::gpu {
 
 namespace {
@@ -50,6 +52,10 @@ std::uint32_t SpirvRewriter::typeOf(std::uint32_t opcode, std::initializer_list<
     return each.opcode == opcode && std::ranges::equal(each.operands, operands);
   });
   if (found != m_module.instructions().end()) return found->result;
+  Words key = {opcode};
+  key.insert(key.end(), operands);
+  const auto [added, isNew] = m_types.try_emplace(std::move(key), m_bound);
+  if (!isNew) return added->second;
   Words words = {m_bound};
   words.insert(words.end(), operands);
   write(m_globals, opcode, words);

@@ -4,9 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <vector>
-
-#include <glslang/SPIRV/spirv.hpp>
 
 #include "gpu/spirv/spirv_module.h"
 
@@ -23,13 +22,15 @@ public:
   // has written others in its place. To be called once.
   Words write(const std::function<bool(const SpirvInstruction&)>& replace);
 
-  // The module's type of these operands, or a new one: no type may be there twice.
+  // The type with these operands: the module's, or one that is added. No type is there twice.
   std::uint32_t typeOf(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands);
+  // A new constant of a type of 32 bits.
   std::uint32_t constantOf(std::uint32_t type, std::uint32_t value);
   std::uint32_t realConstant(float value); // of 32 bits
-  std::uint32_t library();                 // GLSL.std.450
+  // GLSL.std.450: the module's import, or one that is added.
+  std::uint32_t library();
 
-  // For replace: writes an instruction, with the operands behind its opcode.
+  // To be called by replace only. Writes an instruction, with the operands behind its opcode.
   void emit(std::uint32_t opcode, const Words& operands);
   // The same with a result, whose id it returns.
   std::uint32_t compute(std::uint32_t opcode, std::uint32_t type, std::initializer_list<std::uint32_t> operands);
@@ -43,6 +44,7 @@ private:
 
   const SpirvModule& m_module;
   std::uint32_t m_bound, m_library = 0;
+  std::map<Words, std::uint32_t> m_types; // that were added, by opcode and operands
   Words m_import, m_decorations, m_globals, m_code;
 };
 

@@ -41,8 +41,9 @@ float roundToSrgb8(float light) {
 
 float roundToUnorm8(float value) { return std::floor(std::clamp(value, 0.f, 1.f) * 255 + 0.5f) / 255; }
 
-// roundToUnsignedFloat of a number above 0.
-inline float roundMagnitude(float value, int mantissaBits) {
+// The nearest float of 5 exponent bits and this many mantissa bits. value: 0 or more; for NaN the result has no
+// meaning.
+float roundMagnitude(float value, int mantissaBits) {
   const auto largest = static_cast<float>((2 - std::ldexp(1.0, -mantissaBits)) * 0x1p15);
   if (value < 0x1p-14f) { // adding 2^23 of the smallest steps rounds to a whole number of them, ties to even
     const float shift = std::ldexp(1.f, 23 - 14 - mantissaBits);
@@ -55,10 +56,8 @@ inline float roundMagnitude(float value, int mantissaBits) {
   return std::min(std::bit_cast<float>(rounded), largest);
 }
 
-// Infinities become the largest half; of NaN anything.
-float roundToHalf(float value) {
-  return std::copysign(roundMagnitude(std::min(std::abs(value), 65504.f), 10), value);
-}
+// Infinities become the largest half. For NaN the result has no meaning.
+float roundToHalf(float value) { return std::copysign(roundMagnitude(std::min(std::abs(value), 65504.f), 10), value); }
 
 glm::vec3 gamma2(const glm::vec3& c, bool half) {
   if (half) {

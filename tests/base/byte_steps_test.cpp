@@ -45,7 +45,7 @@ TEST(ByteSteps, GiveTheBytesOfTheFunctionBesideEveryStep) {
 TEST(ByteSteps, GiveTheBytesOfTheFunctionForAnyNumber) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> log2(-30.f, 4.f);
-  for (const ByteOf byteOf : {srgb, linear, steep}) {
+  for (const ByteOf byteOf : {srgb, linear, steep, coarse}) {
     const ByteSteps steps = stepsOf(byteOf);
     for (int i = 0; i < 200000; ++i) {
       const float value = std::exp2(log2(random));
@@ -55,6 +55,7 @@ TEST(ByteSteps, GiveTheBytesOfTheFunctionForAnyNumber) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity(), kLeast = 1e-45f;
     EXPECT_EQ(steps(kInfinity), 255);
     EXPECT_EQ(steps(-kInfinity), 0);
+    EXPECT_EQ(steps(std::numeric_limits<float>::quiet_NaN()), 0);
     for (const float value : {0.f, -0.f, kLeast, 1.f, std::nextafter(1.f, 0.f), 3e38f})
       EXPECT_EQ(steps(value), byteOf(std::max(value, 0.f))) << value;
   }

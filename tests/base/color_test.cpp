@@ -120,7 +120,7 @@ TEST(DisplayTransform, EncodesPixelsInARunAsAlone) {
   }
 }
 
-// Of sRGB the steps are searched in the transform itself: around each, and anywhere, the bytes are those of `apply`.
+// The bytes equal the rounded values of `apply`, at each step of sRGB and for noise.
 TEST(DisplayTransform, EncodesTheBytesOfTheEncodedValues) {
   Image image = makeLogNoise(-20, 6);
   for (int code = 1; code < 256; ++code) { // the light where the byte steps up, and 40 numbers on both sides

@@ -92,6 +92,9 @@ TEST(OutputTarget, HalvesAreTheNearestOfAllHalves) {
       expectNearest(x), expectNearest(-x);
   }
   for (const float x : {1e-45f, 1e-30f, 65519.f, 65520.f, 1e9f}) expectNearest(x), expectNearest(-x);
+  EXPECT_EQ(codec.store({kInf, -kInf, kNan}).x, kInf);
+  EXPECT_EQ(codec.store({kInf, -kInf, kNan}).y, -kInf);
+  EXPECT_TRUE(std::isnan(codec.store({kInf, -kInf, kNan}).z));
 }
 
 TEST(OutputTarget, HalvesRoundToEvenAndSaturate) {

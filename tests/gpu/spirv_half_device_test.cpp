@@ -20,7 +20,7 @@ namespace {
 
 using shading::Half;
 
-constexpr std::size_t kWords = 6, kComparedWords = 4; // a number's, as half.comp and half_compare.comp write them
+constexpr std::size_t kWords = 6, kComparedWords = 5; // a number's, as half.comp and half_compare.comp write them
 
 // Every half, the numbers halfway between neighbours, the floats beside both, and any bits at all.
 std::vector<float> numbersToConvert() {
@@ -105,7 +105,7 @@ template <typename T> std::uint32_t compare(T a, T b) {
          std::uint32_t{a == b} << 4 | std::uint32_t{a != b} << 5;
 }
 
-// Of two of which one is NaN, the other one. The sign of zero is open.
+// expected: the operand that is not NaN. The sign of zero is open.
 void expectHalf(std::uint32_t bits, float expected, const std::string& what) {
   const float found = Half::fromBits(static_cast<std::uint16_t>(bits));
   ASSERT_TRUE(found == expected || (std::isnan(found) && std::isnan(expected))) << what << ": " << found;
@@ -125,10 +125,10 @@ TEST_F(SpirvHalfTest, ComparesEveryHalfAsTheNumberThatItIs) {
   constexpr float kOne = 1, kLargest = 65504;
   const float small = Half(6.0e-8f);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const float x = numbers[i], a = Half(x), b = Half(numbers[i ^ 1]);
+    const float x = numbers[i], a = Half(x), b = Half(numbers[i ^ 1]), near = Half(numbers[i ^ 2]);
     const std::uint32_t* result = &results[kComparedWords * i];
     const std::string what = std::to_string(a) + ", " + std::to_string(b);
-    // A device may take denormals for 0.
+    // A device may take a 32-bit denormal for 0. It must keep denormal halves.
     if (std::abs(x) >= 0x1p-126f || x == 0 || std::isnan(x)) {
       ASSERT_EQ(result[0], compare(a, b) | compare(a, small) << 6 | compare(kOne, a) << 12 | compare(a, kLargest) << 18)
           << what;
@@ -140,6 +140,8 @@ TEST_F(SpirvHalfTest, ComparesEveryHalfAsTheNumberThatItIs) {
     expectHalf(result[2] >> 16, std::fmax(a, b), "max " + what);
     expectHalf(result[3], std::fmax(kOne, a), "max(1, a) " + what);
     expectHalf(result[3] >> 16, std::fmin(std::fmax(a, 0.f), 1.f), "saturate " + what);
+    ASSERT_EQ(result[4] & 0xffffu, compare(a, near)) << a << ", " << near;
+    expectHalf(result[4] >> 16, std::fmax(a, near), "max of neighbours " + what);
     if (HasFatalFailure()) return;
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <glslang/SPIRV/GLSL.std.450.h>
 #include <glslang/SPIRV/spirv.hpp>
 #include <gtest/gtest.h>
 
@@ -95,12 +96,53 @@ TEST(SpirvHalf, WidensComparisonsOfHalves) {
   for (const std::span<const std::uint32_t> spirv :
        {std::span<const std::uint32_t>(kHalfCompareComp), std::span<const std::uint32_t>(kHalfCompareCompWritten)}) {
     const Words before(spirv.begin(), spirv.end()), after = compareHalvesWidened(before);
-    EXPECT_GE(countOfHalves(before), 11u); // six comparisons, five of min and max
+    EXPECT_GE(countOfHalves(before), 12u); // six comparisons, six of min and max
     EXPECT_EQ(countOfHalves(after), 0u);
     EXPECT_EQ(refusalOf(before), "");
     EXPECT_EQ(refusalOf(after), "");
-    EXPECT_EQ(countConversions(convertHalvesByBits(after)), countConversions(after) - 2) << "of the numbers alone";
+    EXPECT_EQ(countConversions(convertHalvesByBits(after)), countConversions(after) - 3)
+        << "only the shader's own conversions, of its three numbers, become bits";
   }
+}
+
+// Of the inlined shader: the six comparisons with .1, which no half is, and that of two numbers.
+TEST(SpirvHalf, WidensComparisonsWithConstantsThatAHalfCanHold) {
+  const SpirvModule module(compareHalvesWidened({std::begin(kHalfCompareComp), std::end(kHalfCompareComp)}));
+  int doubled = 0, plain = 0;
+  for (const SpirvInstruction& each : module.instructions()) {
+    if (each.opcode < spv::OpFOrdEqual || each.opcode > spv::OpFUnordGreaterThanEqual) continue;
+    const SpirvInstruction* operand = module.find(each.operands[0]);
+    ++(operand && operand->opcode == spv::OpFMul ? doubled : plain);
+  }
+  EXPECT_EQ(plain, 7);
+  EXPECT_GE(doubled, 6 * 5 + 6 * 3);
+}
+
+TEST(SpirvHalf, AddsATypeOfNumbersOnce) {
+  // clang-format off
+  const Words words = {
+      spv::MagicNumber, 0x10300, 0, 12, 0,
+      2 << 16 | spv::OpCapability, spv::CapabilityShader,
+      2 << 16 | spv::OpCapability, spv::CapabilityFloat16,
+      6 << 16 | spv::OpExtInstImport, 11, 0x4c534c47, 0x6474732e, 0x3035342e, 0,
+      3 << 16 | spv::OpMemoryModel, spv::AddressingModelLogical, spv::MemoryModelGLSL450,
+      4 << 16 | spv::OpEntryPoint, spv::ExecutionModelGLCompute, 1, 'a',
+      6 << 16 | spv::OpExecutionMode, 1, spv::ExecutionModeLocalSize, 1, 1, 1,
+      2 << 16 | spv::OpTypeVoid, 2,
+      3 << 16 | spv::OpTypeFunction, 3, 2,
+      3 << 16 | spv::OpTypeFloat, 4, 16,
+      4 << 16 | spv::OpConstant, 4, 5, 0x3c00,
+      3 << 16 | spv::OpConstantNull, 4, 6,
+      5 << 16 | spv::OpFunction, 2, 1, 0, 3,
+      2 << 16 | spv::OpLabel, 7,
+      7 << 16 | spv::OpExtInst, 4, 8, 11, GLSLstd450FMin, 5, 6,
+      1 << 16 | spv::OpReturn,
+      1 << 16 | spv::OpFunctionEnd};
+  // clang-format on
+  EXPECT_EQ(refusalOf(words), "");
+  const Words after = compareHalvesWidened(words);
+  EXPECT_EQ(refusalOf(after), "");
+  EXPECT_EQ(countOfHalves(after), 0u);
 }
 
 TEST(SpirvHalf, LeavesComparisonsWithoutHalves) {
