@@ -29,8 +29,8 @@ public:
   // linear: RGB, Rec.709 primaries, scene-referred. Multiplied by 2^exposureEv first. Returns display-encoded RGB in
   // [0,1]. Non-finite input comes out as it is, so that the comparison can refuse it.
   Image apply(const Image& linear, float exposureEv = 0) const;
-  // The same of pixels one after another, as bytes: the nearest 255ths. bytes: as many values. A pixel with a value that
-  // is not finite, in the frame or once exposed, is black; its place among the pixels is appended to nonFinite.
+  // The same of pixels one after another, as bytes: the nearest 255ths. bytes: as many values. A pixel with a value
+  // that is not finite, in the frame or once exposed, is black; its place among the pixels is appended to nonFinite.
   void encodeBytes(std::span<const float> linear, float exposureEv, std::span<std::uint8_t> bytes,
                    std::vector<std::uint32_t>& nonFinite) const;
 
