@@ -150,6 +150,7 @@ void DisplayTransform::encode(std::span<const float> linear, float exposureEv, s
   const std::size_t count = linear.size() / 3;
   const auto runAt = [&](std::size_t begin) {
     std::size_t end = begin + 1;
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): the same bits are encoded to the same bits
     while (end < count && std::memcmp(&linear[3 * begin], &linear[3 * end], 3 * sizeof(float)) == 0) ++end;
     return end - begin;
   };
