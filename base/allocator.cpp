@@ -14,6 +14,7 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 
+// The settings:
 //   dirty_decay_ms:-1         keeps what was freed for the next block
 //   oversize_threshold        blocks of 1 MiB and more share one arena: what one thread freed serves another
 //   lg_extent_max_active_fit  a freed block also serves a request of a 4096th of its size. By default that is a 64th,

@@ -22,10 +22,10 @@ endfunction()
 # One folder = one static library of all its sources, those of its subfolders included: parity_NAME, '/' as '_'. Its only
 # public include path is a folder that holds a link to the folder under NAME and nothing else, so
 # "#include "other/x.h"" compiles only where `other` is among USES (transitively): the direction of the arrows is a compile
-# error, not a habit. Without a unity build every header is also compiled alone: by the source of its name, which includes it
-# before all else, or else in a unit of its own. EXCLUDE: what belongs to other targets; headers of other compilers (shaders/, *-inl.h) are none
-# of it. VULKAN: the folder includes Vulkan-Hpp. NO_HOT_LOOPS: other folders compute what takes time: a release compiles this
-# one at -O1, which saved 8 % of the largest unit's time.
+# error, not a habit. A build without unity also compiles every header alone: by the source of its name, which includes it
+# first, or in a unit of its own. EXCLUDE: what belongs to other targets; headers of other compilers (shaders/, *-inl.h) are
+# none of it. VULKAN: the folder includes Vulkan-Hpp. NO_HOT_LOOPS: other folders compute what takes time: a release compiles
+# this one at -O1, which saved 8 % of the largest unit's time.
 function(parity_folder name)
   cmake_parse_arguments(ARG "VULKAN;NO_HOT_LOOPS" "" "EXCLUDE;USES;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   string(REPLACE "/" "_" id ${name})

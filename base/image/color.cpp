@@ -80,7 +80,9 @@ ocio::ConstCPUProcessorRcPtr makeProcessor(const ocio::ConstTransformRcPtr& tran
 
 std::uint8_t toByte(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); }
 
-bool isFinite(const float* rgb) { return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]); }
+bool isFinite(std::span<const float, 3> rgb) {
+  return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
+}
 
 } // namespace
 
@@ -172,8 +174,8 @@ void DisplayTransform::encodeBytes(std::span<const float> linear, float exposure
   const float gain = std::exp2(exposureEv);
   const auto encodeBy = [&](const auto& shownAt, const auto& byteAt) {
     for (std::size_t i = 0; i < linear.size(); i += 3) {
-      // The frame decides, too: an infinite radiance would be displayed as plain white.
-      const bool isShown = isFinite(&linear[i]) && isFinite(shownAt(i).data());
+      // An infinite radiance would else be displayed as plain white.
+      const bool isShown = isFinite(shownAt(i));
       if (!isShown) nonFinite.push_back(static_cast<std::uint32_t>(i / 3));
       for (std::size_t c = i; c < i + 3; ++c) bytes[c] = isShown ? byteAt(c) : std::uint8_t{0};
     }
@@ -187,7 +189,7 @@ void DisplayTransform::encodeBytes(std::span<const float> linear, float exposure
   }
   RawVector<float> encoded(linear.size());
   encode(linear, exposureEv, encoded);
-  encodeBy([&](std::size_t i) { return std::span(encoded).subspan(i, 3); },
+  encodeBy([&](std::size_t i) { return std::span(encoded).subspan(i).first<3>(); },
            [&](std::size_t c) { return toByte(encoded[c]); });
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <glslang/SPIRV/GLSL.std.450.h>
@@ -59,15 +58,11 @@ private:
     const SpirvShape shape = m_module.shapeOf(id);
     return shape.kind == SpirvShape::Kind::real && shape.bits == bits && shape.components() == 1;
   }
-  // The word of a constant; none: it is something else.
-  std::optional<std::uint32_t> constantWord(std::uint32_t id) const {
+  // Of 32 bits.
+  bool isConstantHalf(std::uint32_t id) const {
     const SpirvInstruction* found = m_module.find(id);
-    if (found && found->opcode == spv::OpConstantNull) return 0;
-    return found && found->opcode == spv::OpConstant ? std::optional(found->operands[0]) : std::nullopt;
-  }
-  bool isConstantHalf(std::uint32_t id) const { // in 32 bits
-    const std::optional<std::uint32_t> word = constantWord(id);
-    return word && mayBeHalf(std::bit_cast<float>(*word));
+    if (found && found->opcode == spv::OpConstantNull) return true;
+    return found && found->opcode == spv::OpConstant && mayBeHalf(std::bit_cast<float>(found->operands[0]));
   }
 
   bool comparesHalves(const SpirvInstruction& each) const {
@@ -91,20 +86,13 @@ private:
     return product;
   }
 
-  // FMin or FMax: the first operand where it is the result, else the second.
+  // FMin or FMax: the first operand where it is a number and the result, else the second.
   void select(const SpirvInstruction& each) {
-    std::uint32_t first = each.operands[2], second = each.operands[3];
-    if (constantWord(first)) std::swap(first, second); // so that a NaN is the first
-    const bool isMin = each.operands[1] == GLSLstd450FMin;
-    const std::uint32_t a = twice(first), b = twice(second);
-    std::uint32_t isFirst = 0;
-    if (constantWord(second)) {
-      isFirst = m_rewriter.compute(isMin ? spv::OpFOrdLessThan : spv::OpFOrdGreaterThan, m_bool, {a, b});
-    } else {
-      const std::uint32_t isNumber = m_rewriter.compute(spv::OpFOrdEqual, m_bool, {a, a});
-      isFirst = m_rewriter.compute(isMin ? spv::OpFUnordLessThan : spv::OpFUnordGreaterThan, m_bool, {a, b});
-      isFirst = m_rewriter.compute(spv::OpLogicalAnd, m_bool, {isFirst, isNumber});
-    }
+    const spv::Op comparison = each.operands[1] == GLSLstd450FMin ? spv::OpFUnordLessThan : spv::OpFUnordGreaterThan;
+    const std::uint32_t first = each.operands[2], second = each.operands[3], a = twice(first), b = twice(second);
+    const std::uint32_t isNumber = m_rewriter.compute(spv::OpFOrdEqual, m_bool, {a, a}),
+                        isBetter = m_rewriter.compute(comparison, m_bool, {a, b}),
+                        isFirst = m_rewriter.compute(spv::OpLogicalAnd, m_bool, {isBetter, isNumber});
     m_rewriter.emit(spv::OpSelect, {each.type, each.result, isFirst, first, second});
   }
 

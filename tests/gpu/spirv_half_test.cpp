@@ -54,29 +54,34 @@ TEST(SpirvHalf, LeavesModulesWithoutHalves) {
   EXPECT_EQ(convertHalvesByBits(words), words);
 }
 
+// A module of a shader with an empty interface. globals: behind the types void (2) and void() (3); code: of its
+// function.
+Words makeModule(const Words& imports, const Words& globals, const Words& code) {
+  // clang-format off
+  Words words = {spv::MagicNumber, 0x10300, 0, 12, 0,
+                 2 << 16 | spv::OpCapability, spv::CapabilityShader,
+                 2 << 16 | spv::OpCapability, spv::CapabilityFloat16};
+  const Words types = {3 << 16 | spv::OpMemoryModel, spv::AddressingModelLogical, spv::MemoryModelGLSL450,
+                       4 << 16 | spv::OpEntryPoint, spv::ExecutionModelGLCompute, 1, 'a',
+                       6 << 16 | spv::OpExecutionMode, 1, spv::ExecutionModeLocalSize, 1, 1, 1,
+                       2 << 16 | spv::OpTypeVoid, 2,
+                       3 << 16 | spv::OpTypeFunction, 3, 2};
+  const Words begin = {5 << 16 | spv::OpFunction, 2, 1, 0, 3, 2 << 16 | spv::OpLabel, 7},
+              end = {1 << 16 | spv::OpReturn, 1 << 16 | spv::OpFunctionEnd};
+  // clang-format on
+  for (const Words* part : {&imports, &types, &globals, &begin, &code, &end})
+    words.insert(words.end(), part->begin(), part->end());
+  EXPECT_EQ(refusalOf(words), "");
+  return words;
+}
+
 // Each is in the module, or is not: the validator says whether one is there twice or none.
 TEST(SpirvHalf, MakesTheTypesAndTheLibraryThatAModuleLacks) {
-  // clang-format off
-  const Words words = {
-      spv::MagicNumber, 0x10300, 0, 10, 0,
-      2 << 16 | spv::OpCapability, spv::CapabilityShader,
-      2 << 16 | spv::OpCapability, spv::CapabilityFloat16,
-      3 << 16 | spv::OpMemoryModel, spv::AddressingModelLogical, spv::MemoryModelGLSL450,
-      4 << 16 | spv::OpEntryPoint, spv::ExecutionModelGLCompute, 1, 'a',
-      6 << 16 | spv::OpExecutionMode, 1, spv::ExecutionModeLocalSize, 1, 1, 1,
-      2 << 16 | spv::OpTypeVoid, 2,
-      3 << 16 | spv::OpTypeFunction, 3, 2,
-      3 << 16 | spv::OpTypeFloat, 4, 32,
-      3 << 16 | spv::OpTypeFloat, 5, 16,
-      4 << 16 | spv::OpConstant, 4, 6, 0x3f8ccccd,
-      5 << 16 | spv::OpFunction, 2, 1, 0, 3,
-      2 << 16 | spv::OpLabel, 7,
-      4 << 16 | spv::OpFConvert, 5, 8, 6,
-      1 << 16 | spv::OpReturn,
-      1 << 16 | spv::OpFunctionEnd};
-  // clang-format on
-  EXPECT_EQ(refusalOf(words), "");
-  const Words after = convertHalvesByBits(words);
+  const Words after =
+      convertHalvesByBits(makeModule({},
+                                     {3 << 16 | spv::OpTypeFloat, 4, 32, 3 << 16 | spv::OpTypeFloat, 5, 16, //
+                                      4 << 16 | spv::OpConstant, 4, 6, 0x3f8ccccd},
+                                     {4 << 16 | spv::OpFConvert, 5, 8, 6}));
   EXPECT_EQ(refusalOf(after), "");
   EXPECT_EQ(countConversions(after), 0u);
 }
@@ -119,28 +124,11 @@ TEST(SpirvHalf, WidensComparisonsWithConstantsThatAHalfCanHold) {
 }
 
 TEST(SpirvHalf, AddsATypeOfNumbersOnce) {
-  // clang-format off
-  const Words words = {
-      spv::MagicNumber, 0x10300, 0, 12, 0,
-      2 << 16 | spv::OpCapability, spv::CapabilityShader,
-      2 << 16 | spv::OpCapability, spv::CapabilityFloat16,
-      6 << 16 | spv::OpExtInstImport, 11, 0x4c534c47, 0x6474732e, 0x3035342e, 0,
-      3 << 16 | spv::OpMemoryModel, spv::AddressingModelLogical, spv::MemoryModelGLSL450,
-      4 << 16 | spv::OpEntryPoint, spv::ExecutionModelGLCompute, 1, 'a',
-      6 << 16 | spv::OpExecutionMode, 1, spv::ExecutionModeLocalSize, 1, 1, 1,
-      2 << 16 | spv::OpTypeVoid, 2,
-      3 << 16 | spv::OpTypeFunction, 3, 2,
-      3 << 16 | spv::OpTypeFloat, 4, 16,
-      4 << 16 | spv::OpConstant, 4, 5, 0x3c00,
-      3 << 16 | spv::OpConstantNull, 4, 6,
-      5 << 16 | spv::OpFunction, 2, 1, 0, 3,
-      2 << 16 | spv::OpLabel, 7,
-      7 << 16 | spv::OpExtInst, 4, 8, 11, GLSLstd450FMin, 5, 6,
-      1 << 16 | spv::OpReturn,
-      1 << 16 | spv::OpFunctionEnd};
-  // clang-format on
-  EXPECT_EQ(refusalOf(words), "");
-  const Words after = compareHalvesWidened(words);
+  const Words after = compareHalvesWidened(
+      makeModule({6 << 16 | spv::OpExtInstImport, 11, 0x4c534c47, 0x6474732e, 0x3035342e, 0}, // GLSL.std.450
+                 {3 << 16 | spv::OpTypeFloat, 4, 16, 4 << 16 | spv::OpConstant, 4, 5, 0x3c00, //
+                  3 << 16 | spv::OpConstantNull, 4, 6},
+                 {7 << 16 | spv::OpExtInst, 4, 8, 11, GLSLstd450FMin, 5, 6}));
   EXPECT_EQ(refusalOf(after), "");
   EXPECT_EQ(countOfHalves(after), 0u);
 }
