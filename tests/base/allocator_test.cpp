@@ -39,6 +39,7 @@ void takeAndFree(std::size_t bytes) {
 
 TEST(Allocator, HasTheSettingsOfThePrograms) {
   // The program chose when it started; jemalloc must have read it after that, or it has its own defaults.
+  ASSERT_NE(malloc_conf, nullptr) << "nothing was chosen";
   const bool areLarge = std::string_view(malloc_conf).ends_with(",thp:always");
   const std::string_view thp = option<const char*>("opt.thp");
   EXPECT_TRUE(thp == (areLarge ? "always" : "default") || thp == "not supported") << thp;
