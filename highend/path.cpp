@@ -152,6 +152,7 @@ public:
                 .baked = bakedOf(inputs),
                 .terms = inputs.terms,
                 .leftOut = inputs.leftOut,
+                .lightsAlone = inputs.lightsAlone,
                 .hiddenFeatures = inputs.hiddenFeatures,
                 .view = inputs.intermediate,
                 .compilation = inputs.compilation,

@@ -52,13 +52,18 @@ std::uint32_t kindsOf(const std::vector<scenes::Light>& lights) {
   return kinds;
 }
 
+const gpu::EnvironmentMaps* environmentOf(const Inputs& inputs) {
+  return inputs.lightsAlone ? nullptr : inputs.environment;
+}
+
 // kBaked... bits of what is read.
 std::uint32_t bakedPartsOf(const Inputs& inputs, const gpu::SceneBuffers& scene) {
   if (!inputs.baked) return 0;
   std::uint32_t parts = inputs.baked->parts;
   if ((scene.vertexData() & gpu::kVertexLightmap) == 0) parts &= ~(gpu::kBakedLightmap | gpu::kBakedSunShadow);
   if (inputs.shadows) parts &= ~gpu::kBakedSunShadow;
-  if (!inputs.environment) parts &= ~gpu::kBakedCaptures;
+  if (!environmentOf(inputs)) parts &= ~gpu::kBakedCaptures;
+  if (inputs.lightsAlone) parts &= ~gpu::kBakedLightmap;
   return parts;
 }
 
@@ -125,10 +130,10 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
     program.pathTexture = &m_lut;
     ++m_ownSamplers;
   }
-  program.environment = inputs.environment;
-  const bool hasPanorama = inputs.environment && inputs.environment->panorama;
-  if (inputs.environment) m_ownSamplers += hasPanorama ? 3 : 2; // the prefiltered cube, the irradiance, the cells
-  if (hasPanorama) program.numbers[gpu::kPathPanorama].x = inputs.environment->panoramaTurns;
+  const gpu::EnvironmentMaps* environment = program.environment = environmentOf(inputs);
+  const bool hasPanorama = environment && environment->panorama;
+  if (environment) m_ownSamplers += hasPanorama ? 3 : 2; // the prefiltered cube, the irradiance, the cells
+  if (hasPanorama) program.numbers[gpu::kPathPanorama].x = environment->panoramaTurns;
   program.shadows = m_shadows = inputs.shadows;
   if (inputs.shadows) ++m_ownSamplers;
   program.baked = inputs.baked;
@@ -146,8 +151,9 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
                        gpu::falloffsOf(lights),
                        inputs.view,
                        hasPanorama ? 1u : 0u,
-                       inputs.environment && inputs.environment->lamps ? 1u : 0u,
-                       static_cast<std::uint32_t>(inputs.leftOut)};
+                       environment && environment->lamps ? 1u : 0u,
+                       static_cast<std::uint32_t>(inputs.leftOut),
+                       inputs.lightsAlone ? 1u : 0u};
   program.everySceneConstants = program.constants;
   program.everySceneConstants[kConstantLocalKinds] = gpu::kLocalAll;
   program.everySceneConstants[kConstantFalloffs] = gpu::kFalloffsAll;
@@ -166,6 +172,8 @@ Renderer::Renderer(const gpu::Device& device, const gpu::SceneBuffers& scene, co
   if (const auto everywhere = static_cast<std::size_t>(bounded - lights.begin()); everywhere > gpu::kMaxLightsOfAPixel)
     throw tooMany(device, everywhere);
   assert(inputs.leftOut <= gpu::kMaxLeftOut);
+  assert(!inputs.lightsAlone ||
+         (inputs.leftOut != 0 && !scene.hasLobes() && (scene.vertexData() & gpu::kVertexFog) == 0));
   program.terms = inputs.terms;
   program.leftOut = inputs.leftOut;
   constexpr std::uint32_t kLayers = gpu::kFeatureCoat | gpu::kFeatureSheen;

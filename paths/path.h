@@ -73,7 +73,8 @@ struct Inputs {
   const gpu::ShadowOptions& shadowMaps;
   bool onlyCompiles = false; // the renderer shades nothing: tables may hold anything
   bool terms = false;
-  std::size_t leftOut = 0; // at most gpu::kMaxLeftOut; not 0: so many pictures in place of the terms (leaveOut)
+  std::size_t leftOut = 0;  // at most gpu::kMaxLeftOut; not 0: so many pictures in place of the terms (leaveOut)
+  bool lightsAlone = false; // of those: they hold the light of lights alone. Not with fog, nor with lobes
   std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: what to leave out, of a path that hidesLobes
   bool wide = false;                // one program for any of the path's options, where the path has such
   std::uint32_t intermediate = 0;   // place in Path::intermediates(); 0: the lit colour
@@ -115,7 +116,7 @@ public:
   virtual std::string describeExcess(const scenes::Material&) const { return {}; }
   // Of a path that leavesOutLights: from now on the colour lacks the light at this place of Inputs::light (one or
   // none). Where Inputs::leftOut is set: `terms` are as many pictures as these lights, at most so many, and each lacks
-  // its own.
+  // its own; with Inputs::lightsAlone it holds the light of the others alone.
   virtual void leaveOut(std::span<const std::size_t>) {}
   virtual RendererWork work() const = 0;
   virtual const gpu::ShadowMaps* shadowMaps() const { return nullptr; } // null: none
@@ -165,7 +166,7 @@ public:
   virtual std::vector<std::string> notesOn(const scenes::Material&, const Options&) const { return {}; }
   virtual std::string describeLight(const Options&, bool /*hasCaptures*/) const { return {}; }
 
-  virtual bool leavesOutLights() const { return false; } // Inputs::leftOut and Renderer::leaveOut act
+  virtual bool leavesOutLights() const { return false; } // Inputs::leftOut, lightsAlone and Renderer::leaveOut act
   // Of each light, over the instances with samples; empty: the path drops no light. mayDropLights: quick.
   virtual bool mayDropLights(const std::vector<scenes::Light>&, const Options&) const { return false; }
   virtual std::vector<LightUse> countLightUse(const scenes::Scene&, const std::vector<scenes::Light>&, const Options&,

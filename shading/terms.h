@@ -29,6 +29,9 @@ inline constexpr std::array<std::string_view, kTermCount> kTermNames = {
     "sunDiffuse",  "sunSpecular", "localDiffuse", "localSpecular", "lightmap", "skyDiffuse",
     "skySpecular", "emissive",    "fog",          "coatSpecular",  "sheen",    "transmission"};
 
+// Whether lights alone add to the term: none of the environment, of lightmaps or of the material's own light.
+constexpr bool isOfLightsAlone(std::size_t term) { return term <= static_cast<std::size_t>(Term::localSpecular); }
+
 // The term of that name, or nothing.
 constexpr std::optional<Term> termByName(std::string_view name) {
   for (std::size_t i = 0; i < kTermCount; ++i)

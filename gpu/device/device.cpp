@@ -162,6 +162,9 @@ Device::Device(const DeviceOptions& options) : m_context(makeContext()), m_messa
   info.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue);
   info.get<vk::PhysicalDeviceFeatures2>().features.geometryShader = true; // gl_PrimitiveID in fragment shaders
   info.get<vk::PhysicalDeviceFeatures2>().features.imageCubeArray = true; // the prefiltered environment
+  m_accessesByPairs =
+      m_properties.deviceType == vk::PhysicalDeviceType::eCpu && m_physical.getFeatures().shaderInt64 == VK_TRUE;
+  info.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 = m_accessesByPairs;
   info.get<vk::PhysicalDeviceVulkan13Features>().dynamicRendering = true;
   info.get<vk::PhysicalDeviceVulkan13Features>().synchronization2 = true;
   info.get<vk::PhysicalDeviceVulkan13Features>().maintenance4 = true; // a vertex output that no fragment shader reads

@@ -41,6 +41,8 @@ public:
   const HostBuffer& staging(vk::DeviceSize size) const;
   // Whether device-local memory can be mapped (CPU and integrated devices): then nothing is staged.
   bool unifiedMemory() const { return m_unifiedMemory; }
+  // Whether shaders take less time here with accessBuffersByPairs, and may have 64-bit integers for it.
+  bool accessesByPairs() const { return m_accessesByPairs; }
 
   // Records, submits and waits; `record` must not submit. Throws Error (exit 4) when the device is lost or the
   // validation layer spoke. The device time is added to timings() under "device: " + stage: by timestamps; on a
@@ -65,7 +67,7 @@ private:
   vk::PhysicalDeviceProperties m_properties;
   vk::PhysicalDeviceMemoryProperties m_memory;
   DeviceReport m_report;
-  bool m_unifiedMemory = false;
+  bool m_unifiedMemory = false, m_accessesByPairs = false;
   std::uint32_t m_queueFamily = 0;
   std::uint32_t m_timestampBits = 0;
   vk::raii::Device m_device{nullptr};

@@ -4,6 +4,7 @@
 
 #include "gpu/spirv/spirv_half.h"
 #include "gpu/spirv/spirv_half_compare.h"
+#include "gpu/spirv/spirv_pairs.h"
 #include "gpu/spirv/spirv_specialize.h"
 
 namespace parity::gpu {
@@ -66,6 +67,7 @@ vk::raii::Pipeline makeComputePipeline(const Device& device, const vk::raii::Pip
   std::vector<std::uint32_t> words = specializeSpirv(spirv, constants);
   if (device.properties().deviceType == vk::PhysicalDeviceType::eCpu)
     words = compareHalvesWidened(convertHalvesByBits(std::move(words)));
+  if (device.accessesByPairs()) words = accessBuffersByPairs(std::move(words));
   const vk::raii::ShaderModule module(device.handle(), vk::ShaderModuleCreateInfo({}, words));
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
   return vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout));

@@ -3,9 +3,8 @@
 #include "gpu/shaders/path.glsl"
 
 void main() {
-  uint local = entryIndex();
-  if (local >= count) return;
-  uint i = first + local;
+  uint i = surfaceEntry();
+  if (!mayWrite()) return;
   Point p = makePoint(i);
   Resolved m = resolveMaterial(p, i);
   outColor[i] = vec4(m.baseColor, m.opacity);

@@ -162,11 +162,12 @@ vec4 fetch(sampler2D tex, int slot, uint material) {
 
 Point makePoint(uint i) {
   Point p;
-  p.position = uintBitsToFloat(surfacePosition[i].xyz);
-  p.instance = surfacePosition[i].w;
+  uvec4 position = surfacePosition[i], normal = surfaceNormal[i];
+  p.position = uintBitsToFloat(position.xyz);
+  p.instance = position.w;
   p.material = instances[p.instance].geometry.z;
-  p.normal = uintBitsToFloat(surfaceNormal[i].xyz);
-  p.geometric = unpackOctahedral(surfaceNormal[i].w);
+  p.normal = uintBitsToFloat(normal.xyz);
+  p.geometric = unpackOctahedral(normal.w);
   p.V = normalize(view.viewer.xyz - view.viewer.w * p.position);
   return p;
 }
@@ -300,15 +301,16 @@ void resolveThrough(inout Resolved r, Point p) {
 Resolved resolveMaterial(Point p, uint i) {
   uint m = p.material;
   readUvs(i);
-  vec4 base = materials[m].baseColor;
+  vec4 base = materials[m].baseColor, emissiveMetallic = materials[m].emissiveMetallic;
+  vec4 f0Roughness = materials[m].f0Roughness, factors = materials[m].factors;
   if (hasVertexData(kVertexColors)) base *= surfaceColor[i];
   if (hasTexture(kSlotBaseColor, m)) base *= fetch(baseColorTexture, kSlotBaseColor, m);
 
   Resolved r;
   r.baseColor = base.xyz;
   r.opacity = hasFeature(kFeatureBlend, m) ? clamp(base.w, 0.0, 1.0) : 1.0;
-  r.metallic = materials[m].emissiveMetallic.w;
-  r.roughness = materials[m].f0Roughness.w;
+  r.metallic = emissiveMetallic.w;
+  r.roughness = f0Roughness.w;
   vec4 orm = vec4(1.0);
   if (hasTexture(kSlotMetallicRoughness, m)) {
     orm = fetch(metallicRoughnessTexture, kSlotMetallicRoughness, m);
@@ -319,22 +321,22 @@ Resolved resolveMaterial(Point p, uint i) {
   r.occlusion = 1.0;
   if (hasTexture(kSlotOcclusion, m)) {
     if ((kTextures & kOcclusionApart) != 0u) orm = fetch(occlusionTexture, kSlotOcclusion, m);
-    r.occlusion = 1.0 + materials[m].factors.y * (orm.x - 1.0);
+    r.occlusion = 1.0 + factors.y * (orm.x - 1.0);
   }
-  r.emissive = materials[m].emissiveMetallic.xyz;
+  r.emissive = emissiveMetallic.xyz;
   if (hasTexture(kSlotEmissive, m)) r.emissive *= fetch(emissiveTexture, kSlotEmissive, m).xyz;
 
   // KHR_materials_specular: F0 = min(F0(ior) specularColor, 1) specular; F90 = specular.
-  r.F0 = materials[m].f0Roughness.xyz;
+  r.F0 = f0Roughness.xyz;
   if (hasTexture(kSlotSpecularColor, m)) r.F0 *= fetch(specularColorTexture, kSlotSpecularColor, m).xyz;
-  r.F90 = materials[m].factors.z;
+  r.F90 = factors.z;
   if (hasTexture(kSlotSpecular, m)) r.F90 *= fetch(specularTexture, kSlotSpecular, m).w;
   r.F0 = min(r.F0, vec3(1.0)) * r.F90;
   r.normal = p.normal;
   if (hasTexture(kSlotNormal, m)) {
     vec4 texel = fetch(normalTexture, kSlotNormal, m);
-    r.normal = mapNormal(p, i, texel, materials[m].factors.x);
-    r.roughness = widenBySpread(r.roughness, texel, materials[m].factors.x);
+    r.normal = mapNormal(p, i, texel, factors.x);
+    r.roughness = widenBySpread(r.roughness, texel, factors.x);
   }
 #ifdef PARITY_LOBES
   resolveCoat(r, p, i);
@@ -364,12 +366,22 @@ Terms seenThrough(vec4 fog, Terms terms) {
 }
 
 uint groupInBin() { return gl_WorkGroupID.y * kMaxGroupsInRow + gl_WorkGroupID.x; }
-uint entryIndex() { return groupInBin() * kGroupSize + gl_LocalInvocationID.x; }
+uint entryInBin() { return groupInBin() * kGroupSize + gl_LocalInvocationID.x; }
+
+// Invocations behind the bin's last entry have that one, too, and may not write: paths shade it once more. With an early
+// return lavapipe would read what all invocations read alike lane by lane, as it does within branches. count > 0.
+uint entryToShade() { return min(entryInBin(), count - 1u); } // in the bin
+bool mayWrite() { return entryInBin() < count; }
+uint surfaceEntry() { return first + entryToShade(); }
 
 bool writesTerm(uint k) { return (kWriteTerms >> k & 1u) != 0u; }
 
+void writeColor(uint i, vec3 color, float opacity) {
+  if (mayWrite()) outColor[i] = vec4(color, opacity);
+}
+
 void writeTerms(uint i, Terms terms) {
-  if (kWriteTerms == 0u) return;
+  if (kWriteTerms == 0u || !mayWrite()) return;
   for (uint k = 0u; k < kTermsInA; ++k)
     if (writesTerm(k)) outTermsA[k * planeSize + i] = vec4(terms.t[k], 0.0);
   for (uint k = kTermsInA; k < uint(kTermCount); ++k)
@@ -385,12 +397,13 @@ vec3 sumOf(Terms terms) {
 
 // The colour is the sum of the terms.
 void writeResult(uint i, Terms terms, float opacity) {
-  outColor[i] = vec4(sumOf(terms), opacity);
+  writeColor(i, sumOf(terms), opacity);
   writeTerms(i, terms);
 }
 
 // Writes a picture into the plane of a term.
 void writePicture(uint i, uint picture, Terms terms, float opacity) {
+  if (!mayWrite()) return;
   vec4 color = vec4(sumOf(terms), opacity);
   if (picture < kTermsInA)
     outTermsA[picture * planeSize + i] = color;

@@ -19,8 +19,6 @@ namespace {
 
 bool readsImage(std::uint32_t opcode) { return opcode >= spv::OpImageSampleImplicitLod && opcode <= spv::OpImageRead; }
 
-bool isChain(std::uint32_t opcode) { return opcode == spv::OpAccessChain || opcode == spv::OpInBoundsAccessChain; }
-
 class HalfConverter {
 public:
   explicit HalfConverter(const SpirvModule& module) : m_module(module), m_rewriter(module), m_isMoved(module.bound()) {
@@ -76,7 +74,7 @@ private:
         for (std::uint32_t place = each.operands[0];;) {
           isNew |= mark(place, any(1));
           const SpirvInstruction* chain = m_module.find(place);
-          if (!chain || !isChain(chain->opcode) || !m_module.isBefore(chain->operands[0], *chain)) break;
+          if (!chain || !isAccessChain(*chain) || !m_module.isBefore(chain->operands[0], *chain)) break;
           place = chain->operands[0];
         }
         break;

@@ -46,6 +46,7 @@ std::size_t leastOperandsOf(std::uint32_t opcode) {
   switch (opcode) {
   case spv::OpSelect:
   case spv::OpBranchConditional:
+  case spv::OpMemberDecorate:
     return 3;
   case spv::OpExtInst:
   case spv::OpEntryPoint:
@@ -57,6 +58,8 @@ std::size_t leastOperandsOf(std::uint32_t opcode) {
   case spv::OpTypeInt:
   case spv::OpTypeVector:
   case spv::OpTypeMatrix:
+  case spv::OpTypeArray:
+  case spv::OpTypePointer:
   case spv::OpFOrdEqual:
   case spv::OpFUnordEqual:
   case spv::OpFOrdNotEqual:
@@ -79,6 +82,7 @@ std::size_t leastOperandsOf(std::uint32_t opcode) {
   case spv::OpCopyObject:
   case spv::OpFunctionCall:
   case spv::OpTypeFloat:
+  case spv::OpTypeRuntimeArray:
   case spv::OpConstant:
   case spv::OpSpecConstant:
   case spv::OpSpecConstantOp:
@@ -136,6 +140,10 @@ std::optional<std::uint64_t> countTrips(const SpirvModule& module, const Counter
 }
 
 } // namespace
+
+bool isAccessChain(const SpirvInstruction& instruction) {
+  return instruction.opcode == spv::OpAccessChain || instruction.opcode == spv::OpInBoundsAccessChain;
+}
 
 SpirvModule::SpirvModule(std::vector<std::uint32_t> words) : m_words(std::move(words)) {
   const auto refuse = [](std::size_t word, const char* reason) {

@@ -35,6 +35,9 @@ struct SpirvBlock {
   std::size_t loopMergeAt = 0; // its OpLoopMerge, as an index of instructions; of a header alone
 };
 
+// OpAccessChain or OpInBoundsAccessChain.
+bool isAccessChain(const SpirvInstruction& instruction);
+
 class SpirvModule {
 public:
   // Lines of the source text (OpLine) are left out. Throws Error (failed) for words that are no SPIR-V of this

@@ -35,11 +35,12 @@ SpirvRewriter::Words SpirvRewriter::write(const std::function<bool(const SpirvIn
     if (!replace(each)) copy(each, m_code);
 
   Words words(m_module.words().begin(), m_module.words().begin() + kHeaderWords);
+  append(words, m_capabilities);
   bool isDecorated = false;
   for (const SpirvInstruction& each : std::span(all.begin(), functions)) {
     if (each.opcode == spv::OpMemoryModel) append(words, m_import);                             // they stand before it
     if (isType(each.opcode) && !std::exchange(isDecorated, true)) append(words, m_decorations); // before all types
-    copy(each, words);
+    if (each.opcode != spv::OpVariable || !m_redeclared.contains(each.result)) copy(each, words);
   }
   append(words, m_globals);
   append(words, m_code);
@@ -48,18 +49,32 @@ SpirvRewriter::Words SpirvRewriter::write(const std::function<bool(const SpirvIn
 }
 
 std::uint32_t SpirvRewriter::typeOf(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands) {
+  Words key = {opcode};
+  key.insert(key.end(), operands);
+  const auto [known, isNew] = m_types.try_emplace(std::move(key), 0);
+  if (!isNew) return known->second;
   const auto found = std::ranges::find_if(m_module.instructions(), [&](const SpirvInstruction& each) {
     return each.opcode == opcode && std::ranges::equal(each.operands, operands);
   });
-  if (found != m_module.instructions().end()) return found->result;
-  Words key = {opcode};
-  key.insert(key.end(), operands);
-  const auto [added, isNew] = m_types.try_emplace(std::move(key), m_bound);
-  if (!isNew) return added->second;
+  return known->second = found != m_module.instructions().end() ? found->result : newType(opcode, operands);
+}
+
+std::uint32_t SpirvRewriter::newType(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands) {
   Words words = {m_bound};
   words.insert(words.end(), operands);
   write(m_globals, opcode, words);
   return m_bound++;
+}
+
+void SpirvRewriter::decorate(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands) {
+  write(m_decorations, opcode, operands);
+}
+
+void SpirvRewriter::addCapability(std::uint32_t capability) { write(m_capabilities, spv::OpCapability, {capability}); }
+
+void SpirvRewriter::redeclare(std::uint32_t variable, std::uint32_t type) {
+  m_redeclared.insert(variable);
+  write(m_globals, spv::OpVariable, {type, variable, m_module.find(variable)->operands[0]});
 }
 
 std::uint32_t SpirvRewriter::constantOf(std::uint32_t type, std::uint32_t value) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "gpu/spirv/spirv_module.h"
@@ -24,6 +25,14 @@ public:
 
   // The type with these operands: the module's, or one that is added. No type is there twice.
   std::uint32_t typeOf(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands);
+  // Always a new one: arrays and structs may be there several times, with decorations of their own.
+  std::uint32_t newType(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands);
+  // Decorates what was added: OpDecorate or OpMemberDecorate.
+  void decorate(std::uint32_t opcode, std::initializer_list<std::uint32_t> operands);
+  void addCapability(std::uint32_t capability);
+  // Gives one of the module's global variables another type, of a pointer. Once for each.
+  void redeclare(std::uint32_t variable, std::uint32_t type);
+  std::uint32_t newId() { return m_bound++; } // of a result of emit
   // A new constant of a type of 32 bits.
   std::uint32_t constantOf(std::uint32_t type, std::uint32_t value);
   std::uint32_t realConstant(float value); // of 32 bits
@@ -44,8 +53,9 @@ private:
 
   const SpirvModule& m_module;
   std::uint32_t m_bound, m_library = 0;
-  std::map<Words, std::uint32_t> m_types; // that were added, by opcode and operands
-  Words m_import, m_decorations, m_globals, m_code;
+  std::map<Words, std::uint32_t> m_types; // of typeOf, by opcode and operands
+  std::set<std::uint32_t> m_redeclared;   // variables
+  Words m_capabilities, m_import, m_decorations, m_globals, m_code;
 };
 
 } // namespace parity::gpu

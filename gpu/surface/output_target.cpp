@@ -41,12 +41,15 @@ float roundToSrgb8(float light) {
 
 float roundToUnorm8(float value) { return std::floor(std::clamp(value, 0.f, 1.f) * 255 + 0.5f) / 255; }
 
+// By its bits: a library's ldexp takes longer than all the rounding. exponent: of a normal float.
+float powerOfTwo(int exponent) { return std::bit_cast<float>(static_cast<std::uint32_t>(exponent + 127) << 23); }
+
 // The nearest float of 5 exponent bits and this many mantissa bits. value: 0 or more; for NaN the result has no
 // meaning.
 float roundMagnitude(float value, int mantissaBits) {
-  const auto largest = static_cast<float>((2 - std::ldexp(1.0, -mantissaBits)) * 0x1p15);
-  if (value < 0x1p-14f) { // adding 2^23 of the smallest steps rounds to a whole number of them, ties to even
-    const float shift = std::ldexp(1.f, 23 - 14 - mantissaBits);
+  const float largest = powerOfTwo(16) - powerOfTwo(15 - mantissaBits);
+  if (value < powerOfTwo(-14)) { // adding 2^23 of the smallest steps rounds to a whole number of them, ties to even
+    const float shift = powerOfTwo(23 - 14 - mantissaBits);
     return (value + shift) - shift;
   }
   const int dropped = 23 - mantissaBits;

@@ -248,21 +248,20 @@ Terms inFog(Terms terms, Point p) {
 }
 
 void main() {
-  uint local = entryIndex();
-  if (local >= count) return;
-  uint i = first + local;
+  uint i = surfaceEntry();
   Point p = makePoint(i);
+  readBakedPlace(i);
   Resolved m = resolveMaterial(p, i);
   Terms terms = noTerms();
   if (hasFeature(kFeatureUnlit, p.material)) {
-    terms.t[kTermEmissive] = m.baseColor;
+    if (kLightsAlone == 0u) terms.t[kTermEmissive] = m.baseColor;
     terms = inFog(terms, p);
     if (kLeftOut != 0u) {
       for (uint k = 0u; k < kLeftOut; ++k) writePicture(i, k, terms, m.opacity);
       return;
     }
     writeResult(i, terms, m.opacity);
-    if (kView != kViewLit) outColor[i] = vec4(0.0, 0.0, 0.0, m.opacity);
+    if (kView != kViewLit) writeColor(i, vec3(0.0), m.opacity);
     return;
   }
 
@@ -279,7 +278,7 @@ void main() {
       addThroughLight(terms, through, m, s, L, lightBehind(lights[k], p, L, illuminance), lights[k].cone.y);
 #endif
     if (kShadows != 0u) illuminance *= visibilityOf(lights[k], p.position, p.geometric, L);
-    if (k == 0u) illuminance *= readSunShadow(i);
+    if (k == 0u) illuminance *= readSunShadow();
     Lobes lobes = lit(s, L, illuminance);
     terms.t[kTermSunDiffuse] += lobes.diffuse;
     terms.t[kTermSunSpecular] += lobes.specular * lights[k].cone.y;
@@ -291,7 +290,7 @@ void main() {
   // Those that reach everything, then those in the list of this group of entries (highend/light_culling.h); or all. In
   // the same order, so that the sums are the same to the last bit.
   bool isListed = kLocalCount == kListed || (kLocalCount == kUnknown && pathData[0] != 0u);
-  uint group = firstGroup + groupInBin();
+  uint group = firstGroup + entryToShade() / kGroupSize;
   uint everywhere = kLocalCount == kListed ? sceneCounts.y : localCount();
   uint begin = isListed ? pathData[1u + group] : 0u;
   uint listed = isListed ? pathData[2u + group] - begin : 0u;
@@ -316,7 +315,7 @@ void main() {
   }
   if (hasEnvironment()) {
     if ((kBaked & kBakedCaptures) != 0u) s.captures = captureBlendAt(p.position);
-    vec3 irradianceOverPi = hasLightmap(i) ? vec3(0.0) : skyIrradianceOverPi(s.N); // the sky is in the lightmap
+    vec3 irradianceOverPi = hasLightmap() ? vec3(0.0) : skyIrradianceOverPi(s.N); // the sky is in the lightmap
     vec3 scale = view.skyLightColor.xyz * m.occlusion;
     terms.t[kTermSkyDiffuse] = irradianceOverPi * s.diffuseColor * scale;
 #ifdef PARITY_LOBES
@@ -327,8 +326,8 @@ void main() {
     show(kViewSpecularIBL, reflected / max(s.single, vec3(1e-6)) * scale);
     terms.t[kTermSkySpecular] = (reflected + irradianceOverPi * s.multiple) * scale;
   }
-  if (hasLightmap(i)) {
-    vec3 irradianceOverPi = lightmapIrradianceOverPi(i, p, s.N);
+  if (hasLightmap()) {
+    vec3 irradianceOverPi = lightmapIrradianceOverPi(p, s.N);
     terms.t[kTermSkySpecular] *= captureScaleAt(s, irradianceOverPi, s.roughness);
 #ifdef PARITY_LOBES
     scaleLayersReflection(layers, s, irradianceOverPi);
@@ -360,5 +359,5 @@ void main() {
   layOver(terms, layers);
 #endif
   writeResult(i, inFog(terms, p), m.opacity);
-  if (kView != kViewLit) outColor[i] = vec4(shown, m.opacity);
+  if (kView != kViewLit) writeColor(i, shown, m.opacity);
 }

@@ -1,6 +1,7 @@
 // Pictures that lack a light each, in place of the terms: each light is shaded once for all of them.
 
 layout(constant_id = 20) const uint kLeftOut = 0u; // how many; at most kMaxLeftOut
+layout(constant_id = 21) const uint kLightsAlone = 0u; // 1: they hold the light of lights alone
 
 Terms withoutLight[kMaxLeftOut]; // of each picture: the sum over all lights but one
 
@@ -22,6 +23,7 @@ void shareOut(inout Terms added, GpuLight light) {
 
 // rest: the terms without any light source: sky, lightmap, emission.
 Terms withLightsBut(uint picture, Terms rest) {
+  if (kLightsAlone != 0u) return withoutLight[picture];
   for (int t = 0; t < kTermCount; ++t)
     if (isOfLights(t)) rest.t[t] += withoutLight[picture].t[t];
   return rest;

@@ -112,6 +112,7 @@ std::unique_ptr<paths::Renderer> SceneOnDevice::makeRenderer(const paths::Path& 
                             .onlyCompiles = wish.light != nullptr,
                             .terms = wish.terms,
                             .leftOut = wish.leftOut,
+                            .lightsAlone = wish.lightsAlone,
                             .hiddenFeatures = wish.hiddenFeatures,
                             .wide = wish.wide,
                             .intermediate = wish.intermediate,

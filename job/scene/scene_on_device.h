@@ -20,6 +20,7 @@ public:
   struct RendererWish {
     bool terms = false;
     std::size_t leftOut = 0;       // pictures that lack a light each, in place of the terms
+    bool lightsAlone = false;      // of those: paths::Inputs::lightsAlone
     bool wide = false;             // one program for many options, where the path has such
     bool originalTextures = false; // although the path compresses them
     std::uint32_t intermediate = 0;

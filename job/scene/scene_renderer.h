@@ -77,8 +77,8 @@ private:
     std::unique_ptr<paths::Renderer> plain;       // with terms where m_shadesTerms
     std::unique_ptr<paths::Renderer> ofOriginals; // where it has textures of its own, and the run compares
     // Made when first needed. withoutOne: a light less, by the shaders of `plain`; withoutSome: several pictures at
-    // once, each without a light, by shaders of its own.
-    std::unique_ptr<paths::Renderer> withTerms, withoutOne, withoutSome;
+    // once, each without a light, by shaders of its own; lightsAlone: the same, of the light of lights alone.
+    std::unique_ptr<paths::Renderer> withTerms, withoutOne, withoutSome, lightsAlone;
     std::map<std::uint32_t, std::unique_ptr<paths::Renderer>> without; // the same, without some lobes
     std::optional<gpu::Backdrop> backdrop; // of the last view, where the path reads one; the path's renderers share it
 
@@ -119,9 +119,14 @@ private:
   void layAgain(const scenes::Camera& camera, Work& work, const Composition& composition);
   // Whether shading so many lights once for all pictures saves more than compiling the shaders for it takes.
   bool paysAtOnce(std::size_t lights) const;
-  // The first path's, for so many lights, and how many of them it leaves out at once.
-  std::pair<paths::Renderer&, std::size_t> rendererWithout(std::size_t lights);
-  gpu::FrameBuilder makeFrame() const; // without terms
+  struct Without {
+    paths::Renderer& renderer;
+    std::size_t most = 0;     // lights that it leaves out at once
+    bool lightsAlone = false; // its pictures lack the other terms
+  };
+  Without rendererWithout(std::size_t lights); // the first path's, for so many
+  bool keepsTerms() const;                     // of the last view, by all paths
+  gpu::FrameBuilder makeFrame() const;         // without terms
   void countSurface(const gpu::Surface& surface, Work& work) const;
 
   Context& m_context;

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <set>
 
+#include "gpu/surface/other_terms.h"
 #include "job/view/term_variants.h"
 
 namespace parity::job {
@@ -23,8 +24,7 @@ void SceneRenderer::addTerms(ViewFrames& frames, std::size_t path, const scenes:
     return by.withTerms->shade(surface, camera);
   };
   // What is 0 in both paths takes no picture. What is shaded only now may hold any term.
-  const bool areKept =
-      !m_kept.empty() && std::ranges::none_of(m_kept, [](const KeptLayer& layer) { return layer.shaded.empty(); });
+  const bool areKept = keepsTerms();
   std::vector<char> used(m_scene.buffers().termCount(), areKept ? 0 : 1);
   if (areKept)
     for (const KeptLayer& layer : m_kept) markUsedTerms(layer.shaded.front(), layer.shaded[path], used);
@@ -79,45 +79,60 @@ bool SceneRenderer::paysAtOnce(std::size_t lights) const {
          static_cast<double>(shaders) * gpu::kPermutationCostMs * 1e6;
 }
 
-std::pair<paths::Renderer&, std::size_t> SceneRenderer::rendererWithout(std::size_t lights) {
+bool SceneRenderer::keepsTerms() const {
+  return !m_kept.empty() && std::ranges::none_of(m_kept, [](const KeptLayer& layer) { return layer.shaded.empty(); });
+}
+
+SceneRenderer::Without SceneRenderer::rendererWithout(std::size_t lights) {
   assert(lights > 0);
   PathState& first = m_paths.front();
-  const bool atOnce = paysAtOnce(lights);
-  std::unique_ptr<paths::Renderer>& renderer = atOnce ? first.withoutSome : first.withoutOne;
+  const bool hasFog = (m_scene.buffers().vertexData() & gpu::kVertexFog) != 0;
+  const bool atOnce = paysAtOnce(lights),
+             lightsAlone = atOnce && keepsTerms() && !hasFog && !m_scene.buffers().hasLobes();
+  std::unique_ptr<paths::Renderer>& renderer = lightsAlone ? first.lightsAlone
+                                               : atOnce    ? first.withoutSome
+                                                           : first.withoutOne;
   const std::size_t most =
       atOnce ? std::min<std::size_t>(static_cast<std::size_t>(m_settings.droppedLights), gpu::kMaxLeftOut) : 1;
   if (!renderer)
-    renderer = makeRenderer(
-        *first.path,
-        {.leftOut = atOnce ? most : 0, .plan = first.plain->pass().plan(), .planWritesTerms = m_shadesTerms && !atOnce},
-        m_views);
+    renderer = makeRenderer(*first.path,
+                            {.leftOut = atOnce ? most : 0,
+                             .lightsAlone = lightsAlone,
+                             .plan = first.plain->pass().plan(),
+                             .planWritesTerms = m_shadesTerms && !atOnce},
+                            m_views);
   first.giveBackdrop(*renderer);
-  return {*renderer, most};
+  return {*renderer, most, lightsAlone};
 }
 
 void SceneRenderer::compileWithout(std::size_t lights, const scenes::Camera& camera) {
   if (m_kept.empty() || !paysAtOnce(lights)) return; // one by one: by the shaders of the picture with all lights
-  const paths::Renderer& renderer = rendererWithout(lights).first;
+  const paths::Renderer& renderer = rendererWithout(lights).renderer;
   for (const KeptLayer& layer : m_kept) renderer.pass().compile(layer.surface, camera);
 }
 
 void SceneRenderer::renderWithout(std::span<const std::size_t> lights, const scenes::Camera& camera,
                                   const std::function<void(std::size_t, const base::Image&)>& take) {
   assert(m_mayDropLights && !lights.empty());
-  const std::pair<paths::Renderer&, std::size_t> without = rendererWithout(lights.size());
-  paths::Renderer& renderer = without.first;
-  const std::size_t most = without.second;
+  const Without without = rendererWithout(lights.size());
+  const std::size_t most = without.most;
   const bool atOnce = most > 1; // paysAtOnce is false for one light
   for (std::size_t begin = 0; begin < lights.size(); begin += most) {
     const std::size_t count = std::min(most, lights.size() - begin);
-    renderer.leaveOut(lights.subspan(begin, count));
+    without.renderer.leaveOut(lights.subspan(begin, count));
     std::vector<gpu::FrameBuilder> frames;
     for (std::size_t k = 0; k < count; ++k) frames.push_back(makeFrame());
     const auto lay = [&](const KeptLayer& layer) {
       const base::Stopwatch watch(&m_context.timings(), "shade without a light");
-      gpu::ShadedSurface shaded = renderer.shade(layer.surface, camera);
+      gpu::ShadedSurface shaded = without.renderer.shade(layer.surface, camera);
+      std::vector<const gpu::ShadedPlane*> others;
+      if (without.lightsAlone) others = gpu::otherTerms(layer.shaded.front().terms);
       for (std::size_t k = 0; k < count; ++k) {
         if (atOnce) shaded.color = std::move(shaded.terms[k]);
+        if (without.lightsAlone) {
+          const base::Stopwatch adding(&m_context.timings(), "add terms of no light");
+          shaded.color = gpu::withOtherTerms(shaded.color, others);
+        }
         frames[k].lay(layer.surface, shaded);
       }
     };

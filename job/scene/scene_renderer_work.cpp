@@ -65,7 +65,8 @@ Work SceneRenderer::work() const {
   std::set<const gpu::ShadowMaps*> maps;
   for (const PathState& each : m_paths) {
     std::uint64_t& samples = work.shadedSamples.emplace_back(each.path->name(), 0).second;
-    for (const auto* renderer : {&each.plain, &each.ofOriginals, &each.withoutOne, &each.withoutSome})
+    for (const auto* renderer :
+         {&each.plain, &each.ofOriginals, &each.withoutOne, &each.withoutSome, &each.lightsAlone})
       if (*renderer) {
         samples += samplesOf((*renderer)->pass());
         work.lightLists += (*renderer)->work().lightLists;

@@ -1,27 +1,26 @@
 // The parts of the mobile base pass that add light, in the order in which the pass adds them up.
 
-real4 readLightmapLQ(uint i, Point p, real3 N) {
-  vec4 place = surfaceLightmap[i];
+real4 readLightmapLQ(Point p, real3 N) {
   GpuLightmapScales scaling = lightmapScales[p.instance];
   LightmapScales scales = LightmapScales(scaling.scale0.xyz, scaling.add0.xyz, scaling.scale1.xyz, scaling.scale1.w,
                                          scaling.add1.xyz, scaling.add1.w);
-  return GetLightMapColorLQ(real3(readLightmap(place, 0.0).xyz), real4(readLightmap(place, 1.0)), scales, vec3(N));
+  return GetLightMapColorLQ(real3(readLightmap(bakedPlace, 0.0).xyz), real4(readLightmap(bakedPlace, 1.0)), scales, vec3(N));
 }
 
 // Irradiance over pi, and its luminance.
-real4 readLightmapOf(uint i, Point p, real3 N) {
-  if (kLightmapForm != kLightmapFormHq) return readLightmapLQ(i, p, N);
-  real3 color = narrow(lightmapIrradianceOverPi(i, p, vec3(N)));
+real4 readLightmapOf(Point p, real3 N) {
+  if (kLightmapForm != kLightmapFormHq) return readLightmapLQ(p, N);
+  real3 color = narrow(lightmapIrradianceOverPi(p, vec3(N)));
   return real4(color, luminanceUE4(color));
 }
 
 // ComputeIndirect. An object with a lightmap has the sky's light in it (no ENABLE_SKY_LIGHT). Of refit the lightmap's light
 // scatters more than once between microfacets, too: as the high-end path has it, with the reflected light; and the lobe's
 // wide part takes it in place of the sky's.
-void computeIndirect(inout BasePass pass, inout Shaded s, Point p, uint i) {
-  bool isBaked = hasLightmap(i);
+void computeIndirect(inout BasePass pass, inout Shaded s, Point p) {
+  bool isBaked = hasLightmap();
   real4 LightmapColor = real4(R(0.0));
-  if (isBaked) LightmapColor = readLightmapOf(i, p, s.frame.N);
+  if (isBaked) LightmapColor = readLightmapOf(p, s.frame.N);
   real3 IndirectColor =
       modulate(modulate(LightmapColor.xyz, s.context.DiffuseColor), real3(view.indirectColorScale.xyz));
   s.SkyDiffuseLighting = real3(R(0.0));
@@ -52,10 +51,10 @@ void computeIndirect(inout BasePass pass, inout Shaded s, Point p, uint i) {
 }
 
 // The directional light; 1/pi is in its colour. Its shadow is the darker of the baked one and its map's.
-void addDirectionalLight(inout BasePass pass, Shaded s, Point p, uint i) {
+void addDirectionalLight(inout BasePass pass, Shaded s, Point p) {
   real Shadow = R(1.0); // GetPrimaryPrecomputedShadowMask: of a distance field, where one is baked
-  if ((kBaked & kBakedSunShadow) != 0u && surfaceLightmap[i].z > 0.5)
-    Shadow = distanceFieldShadow(real(readSunShadow(i)), view.path[kPathAverageBrightness].y);
+  if ((kBaked & kBakedSunShadow) != 0u && bakedPlace.z > 0.5)
+    Shadow = distanceFieldShadow(real(readSunShadow()), view.path[kPathAverageBrightness].y);
   if ((kShadowMaps & kShadowOfSun) != 0u && directionalCount() != 0u) Shadow = min(Shadow, sunShadow(lights[0], p));
   show(kViewShadow, Shadow);
   if (directionalCount() == 0u) return;

@@ -128,7 +128,7 @@ void writePass(uint i, BasePass pass, float opacity) {
     shown *= opacity;
     for (int k = 0; k < kTermCount; ++k) pass.terms.t[k] *= opacity;
   }
-  outColor[i] = vec4(kView == kViewLit ? vec3(Color) : shown, opacity);
+  writeColor(i, kView == kViewLit ? vec3(Color) : shown, opacity);
   writeTerms(i, pass.terms);
 }
 
@@ -347,10 +347,9 @@ void shadePoint() {
 #else
 void main() {
 #endif
-  uint local = entryIndex();
-  if (local >= count) return;
-  uint i = first + local;
+  uint i = surfaceEntry();
   Point p = makePoint(i);
+  readBakedPlace(i);
   readFrom = p.position;
   Resolved r = resolveMaterial(p, i);
   BasePass pass;
@@ -370,8 +369,8 @@ void main() {
   }
 
   Shaded s = makeShaded(p, r);
-  computeIndirect(pass, s, p, i);
-  addDirectionalLight(pass, s, p, i);
+  computeIndirect(pass, s, p);
+  addDirectionalLight(pass, s, p);
   show(kViewColorAfterIBL, narrow(widen(pass.Color)));
   if (hasEnvironment() && !s.fullyRough) addReflectedEnvironment(pass, s);
   if (localCount() != 0u) addLocalLights(pass, s, p);

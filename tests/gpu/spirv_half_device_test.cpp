@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 
+#include "gpu/run_words.h"
 #include "gpu/spirv/spirv_half_compare.h"
 #include "gpu/spirv/spirv_specialize.h"
 #include "gpu_shaders/half.comp.h"
@@ -45,28 +46,15 @@ class SpirvHalfTest : public tests::DeviceTest {
 protected:
   std::vector<std::uint32_t> run(const std::vector<std::uint32_t>& words, const std::vector<float>& numbers,
                                  std::size_t wordsOfNumber) const {
-    constexpr auto compute = vk::ShaderStageFlagBits::eCompute;
     const std::array<std::byte, 4> texel{};
     const std::span<const std::byte> mip = texel;
     const DeviceImage image(device(), {.width = 1, .height = 1, .mips = 1}, std::span{&mip, 1});
     const vk::raii::Sampler sampler(device().handle(), vk::SamplerCreateInfo());
     const Buffer in(device(), std::span<const float>(numbers)),
         out(device(), numbers.size() * wordsOfNumber * sizeof(std::uint32_t));
-    const std::vector<Binding> bindings = {storage(in), storage(out),
-                                           vk::DescriptorImageInfo(*sampler, image.view(), kReadOnlyLayout)};
-    const vk::raii::DescriptorSetLayout setLayout = makeSetLayout(device(), bindings, compute);
-    const std::array<vk::DescriptorSetLayout, 1> layouts = {*setLayout};
-    const vk::raii::PipelineLayout layout = makePipelineLayout(device(), layouts, 0, compute);
-    const DescriptorSets sets(device(), setLayout, std::span{&bindings, 1});
-    const vk::raii::ShaderModule module(device().handle(), vk::ShaderModuleCreateInfo({}, words));
-    const vk::PipelineShaderStageCreateInfo stage({}, compute, *module, "main");
-    const vk::raii::Pipeline pipeline(device().handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout));
-    device().submit("test", [&](const vk::raii::CommandBuffer& commands) {
-      commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-      commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout, 0, sets[0], nullptr);
-      commands.dispatch(static_cast<std::uint32_t>(numbers.size() / 64), 1, 1);
-      fullBarrier(commands);
-    });
+    runWords(device(), words,
+             {storage(in), storage(out), vk::DescriptorImageInfo(*sampler, image.view(), kReadOnlyLayout)},
+             static_cast<std::uint32_t>(numbers.size() / 64));
     return out.downloadAs<std::uint32_t>(numbers.size() * wordsOfNumber);
   }
 };

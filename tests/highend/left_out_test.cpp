@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "gpu/surface/other_terms.h"
 #include "gpu/surface/surface_pass.h"
 #include "highend/renderer.h"
 #include "scenes/builtin/shapes.h"
@@ -143,6 +144,54 @@ TEST_F(LeftOutTest, EachPictureLacksItsLightAndNothingElse) {
       EXPECT_TRUE(isSeenThrough);
       for (std::size_t k = 0; k < out.size(); ++k) EXPECT_GT(most[k], 1e-3) << out[k];
     }
+}
+
+// Lights alone, and the other terms of the same view: without fog the bits of the picture that was shaded whole.
+TEST_F(LeftOutTest, LightsAloneAndTheOtherTermsAreTheWholePicture) {
+  Balls balls(false);
+  balls.scene.fog.reset();
+  balls.scene.materials[0].emissive = {0.02f, 0.3f, 0.1f};
+  balls.scene.materials[3].emissive = {0.4f, 0.01f, 0.03f};
+  const gpu::SceneBuffers buffers(device(), balls.scene);
+  const gpu::SurfacePass pass(device(), buffers, kLeftOutSide, kLeftOutSide);
+  const gpu::EnvironmentMaps sky = tests::makeConstantEnvironment(device(), 0.3f);
+  base::Image lut(2, 2, 4);
+  std::ranges::fill(lut.pixels, 0.3f);
+  const std::vector<std::size_t> out = {3, 1, 0, 5, 2, 4};
+  for (const bool everyScene : {false, true}) {
+    Inputs inputs;
+    inputs.environment = &sky;
+    inputs.lut = &lut;
+    inputs.lights = makeLightsAbout(6);
+    inputs.compilation.budget = {.own = 1, .shares = everyScene};
+    inputs.terms = true;
+    const Renderer byTerms(device(), buffers, pass.binKinds(), inputs, {});
+    inputs.terms = false;
+    inputs.leftOut = gpu::kMaxLeftOut;
+    Renderer whole(device(), buffers, pass.binKinds(), inputs, {});
+    inputs.lightsAlone = true;
+    Renderer alone(device(), buffers, pass.binKinds(), inputs, {});
+    whole.leaveOut(out);
+    alone.leaveOut(out);
+    double most = 0; // what the other terms add
+    for (const gpu::Surface& surface : pass.render(balls.camera, {0, kLeftOutSide}, glm::vec2(0.5f))) {
+      const std::vector<gpu::ShadedPlane> terms = byTerms.shade(surface, balls.camera).terms,
+                                          wanted = whole.shade(surface, balls.camera).terms,
+                                          lights = alone.shade(surface, balls.camera).terms;
+      const std::vector<const gpu::ShadedPlane*> others = gpu::otherTerms(terms);
+      EXPECT_EQ(others.size(), 2u) << "the reflected sky and emitted light: there is no map of irradiance";
+      ASSERT_EQ(lights.size(), out.size());
+      for (std::size_t k = 0; k < out.size(); ++k) {
+        const gpu::ShadedPlane sum = gpu::withOtherTerms(lights[k], others);
+        most = std::max(most, largestDifference(lights[k], wanted[k]));
+        if (device().properties().deviceType == vk::PhysicalDeviceType::eCpu) {
+          for (std::size_t e = 0; e < sum.size(); ++e) ASSERT_EQ(sum[e], wanted[k][e]) << out[k] << ", entry " << e;
+        }
+        expectSamePicture(sum, wanted[k], std::to_string(out[k]));
+      }
+    }
+    EXPECT_GT(most, 0.1);
+  }
 }
 
 } // namespace

@@ -40,8 +40,9 @@ class DroppedLightsTest : public RenderingTest {
 protected:
   // The only scene of a run that writes JSON to stdout.
   static Json diff(const std::string& scene, const std::vector<std::string>& options,
-                   const std::vector<std::string>& size = kSmall) {
-    const RunResult result = runParity(join({{"diff", scene, "--json", "-", "--attribution", "none"}, size, options}));
+                   const std::vector<std::string>& size = kSmall, const std::string& attribution = "none") {
+    const RunResult result =
+        runParity(join({{"diff", scene, "--json", "-", "--attribution", attribution}, size, options}));
     EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
     return Json::parse(result.out)["scenes"][0];
   }
@@ -215,6 +216,28 @@ TEST_F(DroppedLightsTest, ManyLightsAreMeasuredAtOnceWithTheSameFigures) {
   EXPECT_EQ(countOf(sampled, "surface"), 4 * countOf(many, "surface"));
   for (const Json& light : dropped(sampled)["measured"])
     EXPECT_NEAR(light["materials"][0]["flip"].get<double>(), effects.at(light["name"]), 0.01) << light;
+}
+
+// Where a view keeps its terms, pictures at once hold the light of lights alone, and the other terms are added.
+TEST_F(DroppedLightsTest, KeptTermsGiveTheSameFigures) {
+  const std::vector<std::string> large = {"--size", "640x640"};
+  const auto report = [&](const std::string& attribution) {
+    const std::filesystem::path folder = m_folder / attribution;
+    const RunResult result = runParity(
+        join({{"report", kLamps, "-o", folder.string(), "--attribution", attribution, "--pictures", "none"}, large}));
+    EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
+    const std::string info = readWholeFile(folder / "run.json");
+    return std::pair(Json::parse(readWholeFile(folder / "report.json"))["scenes"][0],
+                     contains(info, "add terms of no light"));
+  };
+  const auto [whole, addsToWhole] = report("none");
+  const auto [kept, addsToKept] = report("over-budget");
+  EXPECT_FALSE(addsToWhole);
+  EXPECT_TRUE(addsToKept);
+  ASSERT_GT(dropped(whole)["measured"].size(), 3u);
+  EXPECT_EQ(countOf(whole, "shade highend"), 2 * countOf(whole, "surface")) << "all at once";
+  EXPECT_EQ(countOf(kept, "shade highend"), 2 * countOf(kept, "surface"));
+  EXPECT_EQ(dropped(kept), dropped(whole));
 }
 
 TEST_F(DroppedLightsTest, NothingIsDoneWhereMobileHasAllLights) {

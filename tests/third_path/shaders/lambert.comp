@@ -7,9 +7,7 @@
 layout(constant_id = 8) const float kAlbedoScale = 1.0; // its one knob
 
 void main() {
-  uint local = entryIndex();
-  if (local >= count) return;
-  uint i = first + local;
+  uint i = surfaceEntry();
   Point p = makePoint(i);
   Resolved m = resolveMaterial(p, i);
   Terms terms = noTerms();
