@@ -28,8 +28,8 @@ struct Inputs {
   bool terms = false;
   // Not 0: at most so many pictures that lack a light each (leaveOut), in place of the terms; up to gpu::kMaxLeftOut.
   std::size_t leftOut = 0;
-  // These pictures hold the light of lights alone: gpu/surface/other_terms.h makes them whole. Not for scenes with fog, nor
-  // for scenes with lobes, some of whose terms are of lights and of the environment.
+  // These pictures hold the light of lights alone: gpu/surface/other_terms.h makes them whole. Not for scenes with fog,
+  // nor for scenes with lobes, some of whose terms are of lights and of the environment.
   bool lightsAlone = false;
   std::uint32_t hiddenFeatures = 0; // of gpu::kFeatureLobes: lobes that it leaves out
   std::uint32_t view = kViewLit;    // what the colour shows (highend/views.h)

@@ -223,8 +223,9 @@ TEST_F(DroppedLightsTest, KeptTermsGiveTheSameFigures) {
   const std::vector<std::string> large = {"--size", "640x640"};
   const auto report = [&](const std::string& attribution) {
     const std::filesystem::path folder = m_folder / attribution;
-    const RunResult result = runParity(
-        join({{"report", kLamps, "-o", folder.string(), "--attribution", attribution, "--pictures", "none"}, large}));
+    const RunResult result = runParity(join(
+        {{"report", kLamps, "-o", folder.string(), "--attribution", attribution, "--pictures", "none", "--no-cache"},
+         large}));
     EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
     const std::string info = readWholeFile(folder / "run.json");
     return std::pair(Json::parse(readWholeFile(folder / "report.json"))["scenes"][0],
