@@ -40,9 +40,8 @@ class DroppedLightsTest : public RenderingTest {
 protected:
   // The only scene of a run that writes JSON to stdout.
   static Json diff(const std::string& scene, const std::vector<std::string>& options,
-                   const std::vector<std::string>& size = kSmall, const std::string& attribution = "none") {
-    const RunResult result =
-        runParity(join({{"diff", scene, "--json", "-", "--attribution", attribution}, size, options}));
+                   const std::vector<std::string>& size = kSmall) {
+    const RunResult result = runParity(join({{"diff", scene, "--json", "-", "--attribution", "none"}, size, options}));
     EXPECT_TRUE(result.exitCode == 0 || result.exitCode == 2) << result.err;
     return Json::parse(result.out)["scenes"][0];
   }
