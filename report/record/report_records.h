@@ -130,7 +130,9 @@ template <> inline constexpr auto kRecord<Explanation> = record<Explanation>(
     field("masks", &Explanation::masks));
 
 template <> inline constexpr auto kRecord<CardTexture> = record<CardTexture>(
-    "cardTexture", "Texture of an input. least, most and mean: of each channel over the texels, times the factor, colours linear; empty: not decoded, or a normal map",
+    "cardTexture",
+    "Texture of an input. least, most and mean: of each channel over the texels, times the factor, colours linear; empty: not "
+    "decoded, or a normal map",
     field("name", &CardTexture::name),
     field("file", &CardTexture::file, "Empty: within the scene's own file, or made by the program"),
     field("channels", &CardTexture::channels, "Channels that the input reads", {.oneOf = "rgb|r|g|b|a"}),
@@ -223,8 +225,8 @@ template <> inline constexpr auto kRecord<DroppedLight> = record<DroppedLight>(
     field("name", &DroppedLight::name),
     field("kind", &DroppedLight::kind, "", {.oneOf = "directional|point|spot"}),
     field("keptBy", &DroppedLight::keptBy, "Number of visible objects that the test path shades with this light"),
-    field("droppedBy", &DroppedLight::droppedBy, "Number of visible objects that this light reaches and that the test path shades without it",
-          {.least = 1}),
+    field("droppedBy", &DroppedLight::droppedBy,
+          "Number of visible objects that this light reaches and that the test path shades without it", {.least = 1}),
     field("materials", &DroppedLight::materials, "Materials of the objects that drop the light, the largest change first"));
 
 template <> inline constexpr auto kRecord<DroppedLights> = record<DroppedLights>(
